@@ -88,6 +88,7 @@ struct LiveObject {
   TransformBuffer::Hold hold;     ///< of content->frame
   FrameTracker::Frame frame = 0;  ///< that of content->frame
   FrameTracker::Handle header;    ///< of content->frame, if the object follows it
+  FrameTracker::Handle needed;    ///< of content->frame, see LiveObjects::needPlaces()
   std::optional<ObjectPlacement> placement;
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
   std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays

@@ -129,10 +129,14 @@ bool LiveObjects::removeIf(const std::function<bool(const Objects::value_type&)>
 
 void LiveObjects::follow(LiveObject& object) {
   object.hold = TransformBuffer::Hold();
+  if (!object.content->mesh_uri.empty()) mesh_users_[object.content->mesh_uri].insert(&object);
   if (object.content->frame.empty()) return;
   object.hold = TransformBuffer::Hold(frames_.tf(), object.content->frame);
   object.frame = object.hold.frame();
-  if (!object.content->follows()) return;
+  if (!object.content->follows()) {
+    if (needs_places_) object.needed = frames_.follow(object.frame);
+    return;
+  }
   object.header = frames_.follow(object.frame);
   followers_[object.frame].insert(&object);
 }
@@ -140,11 +144,19 @@ void LiveObjects::follow(LiveObject& object) {
 /// Undoes follow(), and what refresh() counted.
 void LiveObjects::release(LiveObject& object) {
   if (object.problem == TransformProblem::kWaiting) --waiting_;
+  object.needed = FrameTracker::Handle();
+  if (!object.content->mesh_uri.empty()) erase(object.content->mesh_uri, object, mesh_users_);
   if (!object.header) return;
   object.header = FrameTracker::Handle();
-  const auto frame = followers_.find(object.frame);
-  frame->second.erase(&object);
-  if (frame->second.empty()) followers_.erase(frame);
+  erase(object.frame, object, followers_);
+}
+
+template <class Key>
+void LiveObjects::erase(const Key& key, LiveObject& object,
+                        std::map<Key, std::set<LiveObject*>>& sets) {
+  const auto set = sets.find(key);
+  set->second.erase(&object);
+  if (set->second.empty()) sets.erase(set);
 }
 
 LiveObjects::Objects::iterator LiveObjects::erase(Objects::iterator object) {
@@ -154,10 +166,12 @@ LiveObjects::Objects::iterator LiveObjects::erase(Objects::iterator object) {
 }
 
 bool LiveObjects::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
+  const auto users = mesh_users_.find(uri);
+  if (users == mesh_users_.end()) return false;
   bool is_changed = false;
-  for (auto& [key, object] : objects_) {
+  for (LiveObject* user : users->second) {
+    LiveObject& object = *user;
     const BoundedLink& bounded = object.content->bounded;
-    if (object.content->mesh_uri != uri) continue;
     if (bounded.shapes.front().points == mesh.points && bounded.missing == mesh.error) continue;
     auto content = std::make_shared<ObjectContent>(*object.content);
     content->bounded.shapes.front().points = mesh.points;

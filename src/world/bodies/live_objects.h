@@ -25,6 +25,10 @@ class LiveObjects {
 
   explicit LiveObjects(FrameTracker& frames) : frames_(frames), placer_(frames) {}
 
+  /// From now on the edges that place an object once are needed edges of tf, too, as long as the
+  /// object is there, see TransformBuffer::neededIntake().
+  void needPlaces() { needs_places_ = true; }
+
   /// In the order of ~boxes.
   const Objects& objects() const { return objects_; }
 
@@ -99,6 +103,8 @@ class LiveObjects {
   bool sendAgain(LiveObject& object, ros::Time now);
   StampTime stampTime(const LiveObject& object, bool had_stamp) const;
   Objects::iterator erase(Objects::iterator object);
+  template <class Key>
+  static void erase(const Key& key, LiveObject& object, std::map<Key, std::set<LiveObject*>>& sets);
   bool removeIf(const std::function<bool(const Objects::value_type&)>& is_over);
   bool isSilent(const LiveObject& object, std::int64_t now, double timeouts = 1) const;
   bool dropSilent(LiveObject& object, ros::Time now);
@@ -111,12 +117,14 @@ class LiveObjects {
   TransformProblem bound(LiveObject& object, ros::Time now, BoxState& state);
 
   FrameTracker& frames_;
+  bool needs_places_ = false;
   bool has_jumped_back_ = false;  ///< the clock
   ObjectPlacer placer_;
   ObjectClock clock_;
   Objects objects_;
   std::uint64_t removals_ = 0;
   std::map<FrameTracker::Frame, std::set<LiveObject*>> followers_;  ///< by header frame
+  std::map<std::string, std::set<LiveObject*>> mesh_users_;         ///< by URI
   std::optional<FrameTracker::Frame> fixed_frame_;                  ///< in which the boxes are
   std::vector<ObjectKey> given_up_;
   std::size_t waiting_ = 0;  ///< objects whose transform is not there yet

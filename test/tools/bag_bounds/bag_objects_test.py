@@ -48,6 +48,25 @@ class ObjectsTest(BagBoundsTest):
                         .box_bounds((0.1, 0.2, 0.3)) for i in range(20)])
         self.assertLess(difference(self.box(found, 'part/1'), bounds), 1e-9)
 
+    def test_transforms_of_a_frame_that_places_an_object_once(self):
+        """As those of frames that links have: from the marker on, none is left out without a word,
+        and none comes late."""
+        def cart(index, recorded=None):
+            topic, message, time = moving_arms(index, recorded, links=('left',))
+            message.transforms[0].child_frame_id = 'cart'
+            return topic, message, time
+
+        zones = self.write('zones.yaml', zone_text('far', [8] * 3, [9] * 3))
+        cube = marker('part/1', frame='cart', stamp=time_of(BEGIN + PERIOD * 10))
+        messages = arms(40) + [cart(i) for i in range(0, 40, 2)] + [recorded(20, cube)]
+        broken = cart(31)
+        broken[1].transforms[0].transform.rotation.w = 9
+        for more, err in ((None, ''), (cart(11, BEGIN + PERIOD * 30), 'late transforms'),
+                          (broken, 'losses while reading')):
+            with self.subTest(err=err):
+                self.objects(messages + ([more] if more else []), '--zones', zones,
+                             code=INCOMPLETE if more else 0, err=err)
+
     def test_single_markers(self):
         cube = '/object', marker('part/1'), time_of(BEGIN)
         found = self.objects(arms(3) + [cube], '--objects', '/object', code=INCOMPLETE,

@@ -57,7 +57,9 @@ RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
       on_step_(std::move(on_step)),
       feed_({[this](const MeshUse& use) { wanted_meshes_.push_back(*use); },
              [this] { on_news_(now_); }},
-            [this] { return passed(); }) {}
+            [this] { return passed(); }) {
+  feed_.scene().objects.needPlaces();
+}
 
 /// Not 0, which stands for no jump.
 ros::SteadyTime RecordedScene::passed() const {
