@@ -4,13 +4,16 @@
 """Prints the boxes of a link_bounds_publisher as a live table, in metres.
 
 Parameter: ~topic (default link_bounds_publisher/boxes). Redraws in place on a terminal; else one
-table after the other.
+table after the other. A row with an asterisk is incomplete. The first line says if there is no
+publisher, and if no message has come for more than a second of wall time, as while nothing changes.
 """
 
 import os
 import shutil
 import sys
+import textwrap
 import threading
+import time
 
 import rospy
 from link_bounds.msg import AxisAlignedBoxArray
@@ -20,6 +23,8 @@ from demo_arguments import check_arguments  # noqa: E402
 
 TERMINAL_PERIOD = 0.5  # s of wall time, so that the table is updated while /clock stands still
 PLAIN_PERIOD = 2.0
+QUIET = 1.0  # s of wall time without a message, which are told
+GAP, MARK = '   ', ' * '  # after the name of a link; the mark if it is incomplete
 HOME, CLEAR_LINE, CLEAR_BELOW, CLEAR_ALL = '\033[H', '\033[K', '\033[J', '\033[2J'
 
 
@@ -27,25 +32,38 @@ class Newest:
     """Keeps the last message for the thread that draws."""
 
     def __init__(self):
-        self.boxes = None
+        self.boxes, self.time = None, time.monotonic()
 
     def take(self, boxes):
-        self.boxes = boxes
+        self.boxes, self.time = boxes, time.monotonic()
+
+    def warnings(self, has_publisher):
+        """To be read before the table, because the end of a line may be cut."""
+        silence = time.monotonic() - self.time
+        return (('' if has_publisher else 'no publisher, ') +
+                (f'no message for {int(silence)} s, ' if silence > QUIET else ''))
 
 
-def table(message, topic):
-    """The lines of the table."""
+def has_publisher(topic):
+    """On Debian 11, rospy's get_num_connections() also counts those that have gone."""
+    return any(connection.socket is not None for connection in topic.impl.connections or ())
+
+
+def table(message, topic, warnings, columns):
+    """The lines of the table. What is incomplete comes first, because the last lines may be cut."""
     if message is None:
-        return [f'waiting for {topic}']
+        return [f'{warnings}waiting for {topic}']
+    names = [printable(name) for name in message.incomplete]
+    count = f'{len(message.boxes)} boxes' + (f', {len(names)} incomplete,' if names else '')
     width = max([len(box.name) for box in message.boxes] + [len('link')])
     titles = ''.join(f'{title:^27}' for title in ('min x y z', 'max x y z', 'size x y z'))
-    lines = [f'{len(message.boxes)} boxes in frame {printable(message.header.frame_id)} '
-             f'at {message.header.stamp.to_sec():.3f} s, metres',
-             f'{"link":{width}}{titles}'.rstrip()]
-    lines += [row(box, width) for box in message.boxes]
-    if message.incomplete:
-        lines.append('incomplete: ' + ', '.join(map(printable, message.incomplete)))
-    return lines
+    lines = [f'{warnings}{count} in frame {printable(message.header.frame_id)} '
+             f'at {message.header.stamp.to_sec():.3f} s, metres']
+    if names:
+        lines += textwrap.wrap('incomplete: ' + ', '.join(names), columns, break_on_hyphens=False)
+    lines.append(f'{"link":{width}}{titles}'.rstrip())
+    return lines + [row(box, width, MARK if box.name in message.incomplete else GAP)
+                    for box in message.boxes]
 
 
 def printable(text):
@@ -53,11 +71,11 @@ def printable(text):
     return ''.join(c if c.isprintable() else ' ' for c in text)
 
 
-def row(box, width):
+def row(box, width, mark):
     low, high = xyz(box.min), xyz(box.max)
     size = [b - a for a, b in zip(low, high)]
-    return f'{printable(box.name):{width}}' + ''.join(
-        '   ' + ''.join(f'{round(value, 3) + 0:8.3f}' for value in triple)  # + 0: no minus zero
+    return f'{printable(box.name):{width}}' + mark + GAP.join(
+        ''.join(f'{round(value, 3) + 0:8.3f}' for value in triple)  # + 0: no minus zero
         for triple in (low, high, size))
 
 
@@ -69,7 +87,8 @@ def draw_in_place(lines):
     """Overwrites the last drawing; cuts what does not fit the terminal."""
     columns, rows = shutil.get_terminal_size()
     if len(lines) > rows - 1:
-        lines = lines[:rows - 2] + [f'and {len(lines) - rows + 2} more lines']
+        shown = max(rows - 2, 1)
+        lines = [*lines[:shown], f'and {len(lines) - shown} more lines'][:max(rows - 1, 1)]
     drawing = ''.join(line[:columns] + CLEAR_LINE + '\n' for line in lines)
     print(HOME + drawing + CLEAR_BELOW, end='', flush=True)
 
@@ -80,11 +99,13 @@ def main():
     topic = rospy.resolve_name(rospy.get_param('~topic', 'link_bounds_publisher/boxes'))
     newest, ended = Newest(), threading.Event()
     rospy.on_shutdown(ended.set)
-    rospy.Subscriber(topic, AxisAlignedBoxArray, newest.take, queue_size=1, tcp_nodelay=True)
+    subscriber = rospy.Subscriber(topic, AxisAlignedBoxArray, newest.take, queue_size=1,
+                                  tcp_nodelay=True)
     in_place = sys.stdout.isatty()
     print(CLEAR_ALL if in_place else '', end='', flush=True)
     while not ended.wait(TERMINAL_PERIOD if in_place else PLAIN_PERIOD):
-        lines = table(newest.boxes, topic)
+        columns = shutil.get_terminal_size().columns if in_place else sys.maxsize
+        lines = table(newest.boxes, topic, newest.warnings(has_publisher(subscriber)), columns)
         if in_place:
             draw_in_place(lines)
         else:

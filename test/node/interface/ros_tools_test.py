@@ -2,11 +2,16 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """rosbag, rostopic and rviz understand what the node sends."""
+import contextlib
+import fcntl
 import os
+import pty
 import re
 import shutil
+import struct
 import subprocess
 import tempfile
+import termios
 import threading
 import unittest
 
@@ -42,17 +47,26 @@ def record(topic, message_type):
 class Tool:
     """A program that runs until it is stopped, and the lines that it prints."""
 
-    def __init__(self, *command):
+    def __init__(self, *command, terminal_size=None):
+        """The size is that of a terminal to which the program prints: rows and columns."""
         self._lines = []
-        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                         stdin=subprocess.DEVNULL, text=True,
-                                         env=dict(os.environ, PYTHONUNBUFFERED="1"))
+        reading_end, writing_end = pty.openpty() if terminal_size else os.pipe()
+        if terminal_size:
+            fcntl.ioctl(writing_end, termios.TIOCSWINSZ, struct.pack("4H", *terminal_size, 0, 0))
+        environment = {name: value for name, value in os.environ.items()
+                       if name not in ("LINES", "COLUMNS")}
+        self._process = subprocess.Popen(command, stdout=writing_end, stderr=subprocess.STDOUT,
+                                         stdin=subprocess.DEVNULL,
+                                         env=dict(environment, PYTHONUNBUFFERED="1"))
+        os.close(writing_end)
+        self._output = open(reading_end, encoding="utf-8")
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
 
     def _read(self):
-        for line in self._process.stdout:
-            self._lines.append(line)
+        with contextlib.suppress(OSError):  # the end of a terminal is an error
+            for line in self._output:
+                self._lines.append(line)
 
     def wait_for_match(self, pattern):
         def match():
@@ -63,7 +77,7 @@ class Tool:
         self._process.kill()
         self._process.wait()
         self._reader.join()
-        self._process.stdout.close()
+        self._output.close()
 
 
 class RosTools(unittest.TestCase):
@@ -76,8 +90,8 @@ class RosTools(unittest.TestCase):
         cls.addClassCleanup(sender.stop)
         cls.boxes.wait(lambda m: not m.incomplete, "all boxes")
 
-    def start(self, *command):
-        tool = Tool(*command)
+    def start(self, *command, **options):
+        tool = Tool(*command, **options)
         self.addCleanup(tool.stop)
         return tool
 
@@ -166,8 +180,25 @@ class RosTools(unittest.TestCase):
                 AxisAlignedBox(name="flat", min=Point(-6e-15, -1, -0.0), max=Point(1, -0.0, 2))],
             incomplete=["lost\nlink"]))
         table = self.start(executable("link_bounds", "box_table.py"), "_topic:=/odd/boxes")
-        table.wait_for_match(r"frame world \[2J at [^\x1b]*\nodd \[2J [^\x1b]*: lost link\n")
+        table.wait_for_match(r"frame world \[2J at [^\x1b\n]*\nincomplete: lost link\n"
+                             r"[^\x1b\n]*\nodd \[2J ")
         table.wait_for_match(r"\nflat +0\.000  -1\.000   0\.000 +1\.000   0\.000   2\.000 ")
+
+    def test_box_table_tells_in_a_small_terminal_what_is_incomplete_and_that_nobody_sends(self):
+        publisher = rospy.Publisher("/many/boxes", AxisAlignedBoxArray, queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(AxisAlignedBoxArray(
+            header=Header(frame_id="base"),
+            boxes=[AxisAlignedBox(name="link%d" % i) for i in range(20)],
+            incomplete=["gripper", "link1", "left_finger", "right_finger"]))
+        table = self.start(executable("link_bounds", "box_table.py"), "_topic:=/many/boxes",
+                           terminal_size=(9, 40))
+        table.wait_for_match(r"[^\n]*\x1b\[K\n".join([
+            "20 boxes, 4 incomplete, in frame base at",
+            "incomplete: gripper, link1, left_finger,", "right_finger", "link  ", r"link0   +0\.0",
+            r"link1 +\* +0\.0", r"link2   +0\.0", "and 17 more lines"]))
+        publisher.unregister()
+        table.wait_for_match(r"\x1b\[Hno publisher, no message for [1-9]\d* s, ")
 
     def test_rviz_is_set_to_topics_that_exist(self):
         published = dict(rospy.get_published_topics())

@@ -5,7 +5,7 @@ import math
 
 from sequences_shapes import marker_shapes
 from sequences_state import Entry, bounds_of
-from sequences_tf import SECOND, to_time
+from sequences_tf import HISTORY, SECOND, to_time
 from visualization_msgs.msg import Marker
 
 GIVEN_UP_AFTER = 10  # s of the clock, where timeout is 0
@@ -49,6 +49,9 @@ class Object:
         self.received = self.waits_since = now
         self.before = before  # is shown until this marker can be placed
         self.placed = None  # where the object is placed once: the fixed frame, and the pose in it
+        self.is_of_this_time = True  # the clock has been at the stamp since it last jumped back
+        self.is_from_before = False  # a jump back: until it is sent again, only static tf places it
+        self.is_placed_anew = False  # as soon as tf has the stamp: it was sent again after a jump
         self.is_given_up = False
         self.points = None  # of the mesh file, when it has been read
         self.is_loading = marker.type == Marker.MESH_RESOURCE and not self.is_refused
@@ -61,7 +64,20 @@ class Object:
 
     def waits(self):
         return not (self.is_refused or self.is_loading or self.has_no_mesh() or self.stamp == 0 or
-                    self.placed or self.is_given_up)
+                    self.is_given_up) and (self.is_placed_anew or not self.placed)
+
+    def place(self, fixed_frame, pose):
+        if self.placed:
+            self.shown_stamp = self.stamp
+        self.placed = fixed_frame, pose
+        self.is_placed_anew = False
+
+    def give_up(self):
+        """What has a place stays there, until it is sent again once more."""
+        if self.placed:
+            self.is_placed_anew = self.is_of_this_time = False
+        else:
+            self.is_given_up = True
 
     def elapsed(self, now):
         """How much of the lifetime is over."""
@@ -77,6 +93,7 @@ class Objects:
         self._objects = {}  # by namespace and number
         self._carries = {}  # poses of earlier fixed frames in this one; they stay once found
         self._newest_past = 0  # the newest time before the clock jumped back
+        self._jump = None  # to which time the clock last jumped back
 
     def take(self, marker):
         key = (marker.ns, marker.id)
@@ -96,11 +113,28 @@ class Objects:
         if old and not old.is_given_up and old.content == content_of(marker):
             old.marker.lifetime = marker.lifetime
             old.received = old.waits_since = now
+            if not old.is_of_this_time and self._has_reached(old.stamp):
+                self._send_again(key, old)
             return
         thing = Object(marker, now, self._entry(key, old) if old else None)
+        thing.is_of_this_time = self._has_reached(thing.stamp)
         if now + FAR_AHEAD < thing.stamp <= self._newest_past:
             thing.shown_stamp = now
         self._objects[key] = thing
+        self.settle()
+
+    def _has_reached(self, stamp):
+        """Whether the clock has been at a stamp since it last jumped back."""
+        return self._jump is None or self._jump <= stamp <= self._oracle.now + FAR_AHEAD
+
+    def _send_again(self, key, thing):
+        """The stamp may be of the time since the jump back: tf of that time places the object."""
+        if thing.placed:
+            thing.before = self._entry(key, thing)
+            thing.is_placed_anew = True
+        else:
+            thing.shown_stamp = thing.stamp
+        thing.is_of_this_time, thing.is_from_before = True, False
         self.settle()
 
     def meshes(self):
@@ -111,35 +145,49 @@ class Objects:
         for thing in self._objects.values():
             if thing.mesh() == uri and not thing.is_refused:
                 thing.points, thing.is_loading = points, False
+                thing.before = None if points is None else thing.before
         self.settle()
 
     def settle(self):
         """Places what can be placed now."""
         fixed_frame = self._oracle.model.fixed_frame
-        for thing in self._objects.values():
-            pose = thing.waits() and self._oracle.tf.at(fixed_frame, thing.frame, thing.stamp)
+        for thing in filter(Object.waits, self._objects.values()):
+            pose = self._pose_at_stamp(thing)
             if pose:
-                thing.placed = fixed_frame, pose
+                thing.place(fixed_frame, pose)
+            elif thing.is_placed_anew and self._oracle.now - thing.stamp > HISTORY:
+                thing.give_up()  # tf keeps no such stamp
         for frame in [frame for frame, carry in self._carries.items() if carry is None]:
             carry = self._oracle.pose(frame)
             self._carries[frame] = carry if carry and carry.is_finite() else None
 
+    def _pose_at_stamp(self, thing):
+        """Of what was sent before a jump back, tf of the new time tells only what is static."""
+        fixed_frame, tf = self._oracle.model.fixed_frame, self._oracle.tf
+        if thing.is_from_before and tf.oldest_receipt(fixed_frame, thing.frame) is not None:
+            return None
+        return tf.at(fixed_frame, thing.frame, thing.stamp)
+
     def expire(self):
-        now, timeout = self._oracle.now, self._oracle.model.timeout
+        now = self._oracle.now
+        patience = round((self._oracle.model.timeout or GIVEN_UP_AFTER) * SECOND)
         self._objects = {key: o for key, o in self._objects.items() if not o.is_over(now)}
         self.settle()
         for thing in self._objects.values():
-            if thing.waits() and now - thing.waits_since > round((timeout or GIVEN_UP_AFTER) * SECOND):
-                thing.is_given_up = True
+            if thing.waits() and now - thing.waits_since > patience:
+                thing.give_up()
 
     def on_jump_back(self, past):
-        """The rest of each lifetime stays the same, and no stamp stays ahead of the clock."""
-        now = self._oracle.now
+        """The rest of each lifetime stays the same, and no stamp stays ahead of the clock. What
+        waits is not placed before it is sent again."""
+        now = self._jump = self._oracle.now
         self._newest_past = max(self._newest_past, past)
         for thing in self._objects.values():
             thing.received = now - thing.elapsed(past)
             thing.waits_since = now
             thing.shown_stamp = min(thing.shown_stamp, now)
+            thing.is_of_this_time = thing.is_placed_anew = False
+            thing.is_from_before = True
             if thing.before and thing.before.has_box():
                 thing.before.stamp = min(thing.before.stamp, now)
         self.settle()
@@ -171,12 +219,13 @@ class Objects:
         name = "%s/%d" % key
         if thing.is_refused:
             return Entry(name)
-        if thing.is_loading or thing.waits():
-            return thing.before.as_incomplete() if thing.before else Entry(name)
-        if thing.has_no_mesh() or thing.is_given_up:
+        waits = thing.is_loading or thing.waits()
+        if waits and thing.before and thing.before.has_box():
+            return thing.before.as_incomplete()
+        if thing.has_no_mesh() or thing.is_given_up or waits and not thing.placed:
             return Entry(name)
         pose = self._pose(thing)
         bounds = bounds_of(marker_shapes(thing.marker, thing.points), pose)
         if bounds is None:
             return Entry(name)
-        return Entry(name, True, bounds, pose, thing.shown_stamp or pose.stamp)
+        return Entry(name, not waits, bounds, pose, thing.shown_stamp or pose.stamp)
