@@ -20,7 +20,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments  # noqa: E402
+from demo_arguments import check_arguments, rate_parameter  # noqa: E402
 
 GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never coincide again
 SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
@@ -105,7 +105,7 @@ def main():
     joints = movable_joints(rospy.get_param(name))
     swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
     try:
-        publish_until_shutdown(swings, float(rospy.get_param('~rate', 50)),
+        publish_until_shutdown(swings, rate_parameter(50),
                                float(rospy.get_param('~ahead', 0)))
     except rospy.ROSInterruptException:
         pass  # a signal during sleep is the usual end

@@ -11,6 +11,7 @@
 #include "packages/package_path.h"
 #include "robot/bounded_robot.h"
 #include "robot/urdf/trimmed.h"
+#include "world/model/object_key.h"
 
 namespace link_bounds {
 namespace {
@@ -157,6 +158,15 @@ std::map<std::string, std::string> otherNames(const Parameters& parameters,
   return result;
 }
 
+/// In quotes, with commas.
+std::string namesOfNeighbours(const std::vector<BoundedLink>& links) {
+  std::string names;
+  for (const BoundedLink& link : links) {
+    if (isNeighbourName(link.name)) names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string tfName(const std::string& tf_prefix, const std::string& link) {
@@ -251,6 +261,12 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.warnings.insert(model.warnings.end(), unknown_joints.begin(), unknown_joints.end());
   model.warnings.insert(model.warnings.end(), bounded.part_problems.begin(),
                         bounded.part_problems.end());
+  const std::string hidden = namesOfNeighbours(model.links);
+  if (!hidden.empty())
+    model.warnings.push_back(
+        "other nodes leave out of ~neighbours what has the name of a "
+        "neighbour's box, with a slash at its begin and another one: " +
+        hidden + "; give these links other names");
   if (model.links.empty()) {
     model.warnings.push_back(
         "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "

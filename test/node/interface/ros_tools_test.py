@@ -10,6 +10,7 @@ import re
 import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 import termios
 import threading
@@ -141,11 +142,27 @@ class RosTools(unittest.TestCase):
     def test_scripts_explain_every_parameter(self):
         for script in SCRIPTS:
             with open(LAUNCH + "demo/" + script, encoding="utf-8") as file:
-                read = re.findall(r"get_param\('(~\w+)'", file.read())
+                text = file.read()
+            read = re.findall(r"get_param\('(~\w+)'", text)
+            read += ["~" + name for name in re.findall(r" parameter\('(\w+)'", text)]
+            read += ["~rate"] * text.count(" rate_parameter(")
             with self.subTest(script):
                 if script != "arm_slower.py":  # which has none
                     self.assertGreater(len(read), 0)
                 self.assertEqual([name for name in read if name not in self.help_of(script)], [])
+
+    def test_a_parameter_that_means_nothing_ends_a_script_with_a_line(self):
+        for script, value, rule in (("zone_events.py", "zones:=7", "a namespace, as text"),
+                                    ("overlap_colors.py", "rate:=0", "a finite number > 0"),
+                                    ("scene_objects.py", "rate:=fast", "a finite number > 0")):
+            with self.subTest(script):
+                done = subprocess.run([sys.executable, LAUNCH + "demo/" + script, "__name:=wrong", "_" + value],
+                                      stderr=subprocess.PIPE, timeout=DEADLINE)
+                name = value.split(":")[0]
+                self.assertRegex(done.stderr.decode(), r"^%s: parameter ~%s is .*, but must be %s\n$" %
+                                 (script, name, rule))
+                self.assertEqual(done.returncode, 1)
+                rospy.delete_param("/wrong/" + name)
 
     def test_rostopic_echo_prints_a_message(self):
         text = subprocess.run(["rostopic", "echo", "-n1", NODE + "/boxes"], check=True,

@@ -87,6 +87,9 @@ class GetBoxesFaults(OwnNodes):
         answer = call(request)
         self.assertFalse(answer.success)
         self.assertIn("0 or more", answer.message)
+        request = GetBoxesRequest()
+        request.stamp.secs = 2**32 - 1
+        self.assertIn("stamp is no time that tf can handle", call(request).message)
 
     def test_many_large_requests_at_once_beside_boxes(self):
         """And clients that die. Every other client gets its right answer."""

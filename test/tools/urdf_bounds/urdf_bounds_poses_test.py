@@ -262,6 +262,9 @@ class PosesTest(UrdfBoundsTest):
 
     def test_faults_are_named_and_strict_refuses_them(self):
         self.check_fault('joints without a column stay at 0: "lift"', 'push\n0\n', 0)
+        high = SLIDE.replace('lower="-1" upper="1"', 'lower="0.5" upper="1"')
+        self.assertIn('stay at 0: "lift" (beyond its limits 0.5 to 1);',
+                      self.summary('push\n0\n', urdf=high)[1])
         self.check_fault('column "pull" is no movable joint .* push lift',
                          'push,lift,pull\n0,0,0\n', 0)
         self.check_fault('row 2 is left out: column "lift" is "nan".*line 3',

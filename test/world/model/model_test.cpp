@@ -92,6 +92,18 @@ TEST(Model, EachUnknownLinkIsWarnedAboutOnce) {
   EXPECT_NE(model.warnings[1].find("\"typo\""), std::string::npos);
 }
 
+/// Other nodes take their boxes for those of a neighbour of this one.
+TEST(Model, LinksWithTheNameOfANeighboursBoxAreWarnedAbout) {
+  std::string urdf = kUrdf;
+  for (std::size_t at = urdf.find("\"arm\""); at != std::string::npos; at = urdf.find("\"arm\""))
+    urdf.replace(at, 5, "\"/left/arm\"");
+  const Model model = modelWith({}, urdf);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find(": \"/left/arm\"; give these links other names"),
+            std::string::npos)
+      << model.warnings[0];
+}
+
 TEST(Model, BodiesAreThoseOfTheBoundedLinks) {
   const Model model = modelWith({});
   ASSERT_EQ(model.bodies.of_links.size(), 2u);

@@ -211,6 +211,10 @@ class TableReader {
       const std::string& name = robot_.joints[joint].name;
       if (names.count(name) || given.count(name)) continue;
       missing += (missing.empty() ? "\"" : ", \"") + name + "\"";
+      const std::optional<Limits>& limits = robot_.joints[joint].limits;
+      if (limits && (limits->lower > 0 || limits->upper < 0))
+        missing += " (beyond its limits " + shortestNumber(limits->lower) + " to " +
+                   shortestNumber(limits->upper) + ")";
     }
     if (missing.empty()) return;
     table_.problems.push_back(file_ + ": joints without a column stay at 0: " + missing +
