@@ -178,6 +178,13 @@ class ObjectsTest(BagBoundsTest):
                     found = [box['min'][0] for box in boxes if box['name'] == 'part/1']
                     self.assertEqual([round(value, 6) for value in found], x)
 
+    def test_an_object_without_a_box_at_the_time_of_at_is_told(self):
+        lost = marker('part/1', scale=(-1, 1, 1))
+        found = self.objects(arms(20) + [recorded(2, lost)], '--at', '0.2', code=INCOMPLETE,
+                             err='incomplete names: 1')
+        self.assertIn({'name': 'part/1'}, found['boxes'])
+        self.assertRegex(found['incomplete']['part/1'], 'no box at 1000[.]2: scale is negative')
+
     def test_the_box_of_an_earlier_marker_stands_while_the_new_one_waits(self):
         """For the transform of another frame, at a stamp that tf reaches later."""
         old = marker('part/1', frame='left_tip', scale=(.1, .2, .3))

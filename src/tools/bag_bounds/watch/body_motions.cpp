@@ -59,7 +59,6 @@ FrameView::Placed FrameView::placed(const SceneBody& body) {
   state.box = linkBox(source.bounded,
                       source.frame_from_body ? frame_pose * *source.frame_from_body : frame_pose);
   state.stamp = std::max(pose.stamp, body.state.stamp);
-  state.incomplete = body.state.incomplete || !state.box;
   return result;
 }
 
