@@ -47,7 +47,8 @@ TransformProblem ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
 
 /// Whether tf can be of the time when the object was sent. What is static is of any time.
 bool ObjectPlacer::knowsTimeOf(const LiveObject& object) {
-  if (object.stamp_time != StampTime::kNotSent || object.frame == *frames_.fixedFrame()) return true;
+  if (object.stamp_time != StampTime::kNotSent || object.frame == *frames_.fixedFrame())
+    return true;
   const FrameTracker::Handle header = frames_.follow(object.frame);
   return header.pose().problem == TransformProblem::kNone && header.pose().stamp == 0;
 }
