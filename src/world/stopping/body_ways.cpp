@@ -30,6 +30,12 @@ double gapAt(const EdgeHistory& history, std::int64_t stamp) {
   return static_cast<double>(gap) / 1e9;
 }
 
+/// What a joint does that mimics the one of the report.
+void follow(const Lead& lead, JointReport& report) {
+  report.position = lead.factor * report.position + lead.offset;
+  if (report.velocity) *report.velocity *= lead.factor;
+}
+
 }  // namespace
 
 BodyWays::BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose,
@@ -385,12 +391,13 @@ JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t st
       JointState unknown;
       unknown.problem = unwrap(*joint, *reports);
       if (!unknown.problem.empty()) return unknown;
-      const Lead lead = joint == rule.joint ? Lead() : rule.lead;
-      for (JointReport& report : *reports) {
-        report.position = lead.factor * report.position + lead.offset;
-        if (report.velocity) *report.velocity *= lead.factor;
+      std::optional<JointReport> before = states_->lastBefore(joint->name, stamp - window_);
+      if (joint != rule.joint) {
+        for (JointReport& report : *reports)
+          follow(rule.lead, report);
+        if (before) follow(rule.lead, *before);
       }
-      return jointState(*rule.joint, pose, *reports, stamp, window_);
+      return jointState(*rule.joint, pose, *reports, stamp, window_, before);
     }
   }
   const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);

@@ -68,6 +68,13 @@ bool areZeros(const std::vector<JointReport>& reports) {
                      [](const JointReport& report) { return *report.velocity == 0; });
 }
 
+bool restedSince(const std::optional<JointReport>& before,
+                 const std::vector<JointReport>& reports) {
+  return before && std::all_of(reports.begin(), reports.end(), [&](const JointReport& report) {
+           return std::abs(report.position - before->position) <= kPositionNoise;
+         });
+}
+
 /// `spread`: how far the positions are apart.
 void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp, double spread,
                        const JointState& of_positions, JointState& state) {
@@ -179,7 +186,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
 
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& all_reports, std::int64_t stamp,
-                      std::int64_t window) {
+                      std::int64_t window, const std::optional<JointReport>& before) {
   JointState state;
   const JointFit fit = fitOf(joint, pose);
   state.problem = whyMisfit(joint, fit);
@@ -196,7 +203,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
     if (!nearest || std::abs(stamp - report.stamp) < std::abs(stamp - nearest->stamp))
       nearest = &report;
   }
-  const bool are_told = have_velocities && !areZeros(reports);
+  const bool are_told = have_velocities && (!areZeros(reports) || restedSince(before, reports));
   if (!nearest || std::abs(stamp - nearest->stamp) > window ||
       (!are_told && !tellSpeed(withoutLate(all_reports, stamp, window), window))) {
     state.problem = whyTooRare(joint);

@@ -35,10 +35,11 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
 /// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The
 /// speeds are those that were reported and those of the positions. Where a report has none, or all
 /// are 0, as some drivers send it for what they do not measure, the latter alone tell: then no two
-/// may be farther apart than the window.
+/// may be farther apart than the window; or, with all 0, the last report `before` the window had
+/// the same position, so the joint rested.
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& reports, std::int64_t stamp,
-                      std::int64_t window);
+                      std::int64_t window, const std::optional<JointReport>& before = {});
 
 /// To be called before that, with the joint that was reported. The driver of a continuous joint may
 /// begin its turn anew; with velocities, these tell. Returns why the direction of a joint is open:

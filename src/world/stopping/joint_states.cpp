@@ -4,6 +4,7 @@
 #include "world/stopping/joint_states.h"
 
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "world/tf/edge_history.h"
@@ -52,6 +53,17 @@ std::optional<std::vector<JointReport>> JointStates::reports(const std::string& 
     if (next->first >= stamp) break;
   }
   return result;
+}
+
+std::optional<JointReport> JointStates::lastBefore(const std::string& joint,
+                                                   std::int64_t stamp) const {
+  constexpr std::int64_t kLongest = 1'000'000'000;  // ns
+  const auto found = joints_.find(joint);
+  if (found == joints_.end()) return std::nullopt;
+  const auto next = found->second.reports.lower_bound(stamp);
+  if (next == found->second.reports.begin()) return std::nullopt;
+  const JointReport& last = std::prev(next)->second;
+  return stamp - last.stamp <= kLongest ? std::optional(last) : std::nullopt;
 }
 
 }  // namespace link_bounds

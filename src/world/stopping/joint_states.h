@@ -38,6 +38,9 @@ class JointStates {
   std::optional<std::vector<JointReport>> reports(const std::string& joint, std::int64_t stamp,
                                                   std::int64_t window) const;
 
+  /// The last report before that stamp, if it is at most a second older.
+  std::optional<JointReport> lastBefore(const std::string& joint, std::int64_t stamp) const;
+
   /// A publisher may invent names without end.
   static constexpr std::size_t kMaxJoints = 10'000;
 

@@ -196,6 +196,29 @@ TEST(JointState, ZeroVelocityOfOneReportIsNoRest) {
     const JointState state = jointState(joint, joint.parent_from_joint, one, kEnd, kWindow);
     EXPECT_EQ(state.problem.empty(), velocity != 0) << state.problem;
   }
+  for (const double moved : {0.0, 0.9e-4, 1.1e-4}) {
+    const JointReport before{kEnd - 2 * kWindow, moved, 0.0};
+    const JointState state =
+        jointState(joint, joint.parent_from_joint, {{kEnd, 0, 0.0}}, kEnd, kWindow, before);
+    EXPECT_EQ(state.problem.empty(), moved < 1e-4) << "where it was before, it may have rested";
+    if (state.problem.empty()) {
+      EXPECT_GT(state.unseen, 0);
+    }
+  }
+}
+
+TEST(JointStates, TellTheLastReportBeforeAStamp) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  JointStates states;
+  states.add("a", {48 * kSecond, 3, 1.0});
+  EXPECT_FALSE(states.lastBefore("a", 50 * kSecond)) << "it is too long ago";
+  EXPECT_FALSE(states.lastBefore("b", 50 * kSecond));
+  states.add("a", {49 * kSecond, 4, 1.0});
+  states.add("a", {50 * kSecond, 5, 1.0});
+  const auto last = states.lastBefore("a", 50 * kSecond);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->position, 4);
+  EXPECT_FALSE(states.lastBefore("a", 48 * kSecond));
 }
 
 /// It goes there and back within a window, so the positions at its ends are equal.
