@@ -18,18 +18,24 @@ def version():
     return ElementTree.parse(os.path.join(folder, 'package.xml')).findtext('version')
 
 
-def parameter(name, default, is_valid, rule):
-    """A private parameter; one that means nothing ends the node with a line."""
+def refuse(name, value, rule):
+    """Ends the node with a line."""
+    sys.exit(f'{os.path.basename(sys.argv[0])}: parameter ~{name} is {value!r}, but must be {rule}')
+
+
+def number_parameter(name, default, least=-math.inf, rule='a finite number'):
+    """A private parameter that is above `least`. A number may be sent as text."""
     value = rospy.get_param('~' + name, default)
-    if not is_valid(value):
-        sys.exit(f'{os.path.basename(sys.argv[0])}: parameter ~{name} is {value!r}, but must be {rule}')
-    return value
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    return number if least < number < math.inf else refuse(name, value, rule)
 
 
 def rate_parameter(default):
     """Of a node that publishes regularly [Hz]."""
-    return parameter('rate', default, lambda rate: type(rate) in (int, float) and 0 < rate < math.inf,
-                     'a finite number > 0')
+    return number_parameter('rate', default, 0, 'a finite number > 0')
 
 
 def check_arguments(description):

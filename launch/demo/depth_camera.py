@@ -19,7 +19,7 @@ from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import PointCloud2, PointField
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, rate_parameter  # noqa: E402
+from demo_arguments import check_arguments, number_parameter, rate_parameter  # noqa: E402
 from solid_triangles import box, lathe, link_triangles, sphere  # noqa: E402
 
 ROOT, HAND, FRAME = 'base', 'gripper', 'depth_camera'
@@ -160,7 +160,7 @@ def main():
     bodies = scene() + [(link, triangles, ARM) for link, triangles in
                         link_triangles(rospy.get_param(name)).items()]
     try:
-        publish_until_shutdown(bodies, Camera(int(rospy.get_param('~width', 200))),
+        publish_until_shutdown(bodies, Camera(int(number_parameter('width', 200, 0, 'a number of pixels'))),
                                rate_parameter(2))
     except rospy.ROSInterruptException:
         pass  # a signal during sleep is the usual end

@@ -20,7 +20,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, rate_parameter  # noqa: E402
+from demo_arguments import check_arguments, number_parameter, rate_parameter  # noqa: E402
 
 GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never coincide again
 SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
@@ -101,12 +101,12 @@ def main():
     if name is None:
         rospy.logfatal('there is no robot_description to move')
         return 1
-    amplitude = min(1.0, max(0.0, float(rospy.get_param('~amplitude', 0.8))))
+    amplitude = min(1.0, max(0.0, number_parameter('amplitude', 0.8)))
     joints = movable_joints(rospy.get_param(name))
     swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
     try:
         publish_until_shutdown(swings, rate_parameter(50),
-                               float(rospy.get_param('~ahead', 0)))
+                               number_parameter('ahead', 0))
     except rospy.ROSInterruptException:
         pass  # a signal during sleep is the usual end
     return 0

@@ -22,7 +22,7 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import String
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, parameter  # noqa: E402
+from demo_arguments import check_arguments, refuse  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
 QUIET = 10  # PERIODs without a message: then both topics have sent what they know
@@ -206,7 +206,9 @@ def main():
     rospy.on_shutdown(ended.set)
     publisher = rospy.Publisher('~events', String, queue_size=100)
 
-    zones = parameter('zones', 'zones', lambda name: isinstance(name, str), 'a namespace, as text')
+    zones = rospy.get_param('~zones', 'zones')
+    if not isinstance(zones, str):
+        refuse('zones', zones, 'a namespace, as text')
     watch = Watch(zones, lambda text: tell(text, publisher.publish))
     topics = [rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, watch.take_boxes,
                                tcp_nodelay=True),

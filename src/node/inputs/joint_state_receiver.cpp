@@ -3,9 +3,14 @@
 // Messages wait in a queue of their own until they are read.
 #include "node/inputs/joint_state_receiver.h"
 
+#include <ros/console.h>
+
 #include <algorithm>
+#include <string>
 
 #include "node/interface/topics.h"
+#include "world/log/log_text.h"
+#include "world/tf/edge_history.h"
 
 namespace link_bounds {
 namespace {
@@ -40,6 +45,17 @@ void JointStateReceiver::take(const Event& event) {
   if (!incomplete_messages_.accept(message, kJointStatesTopic.name, event.getPublisherName()))
     return;
   const auto stamp = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  const auto now = static_cast<std::int64_t>(ros::Time::now().toNSec());
+  if (now > 0 && stamp - now > EdgeHistory::kLength) {
+    const std::string line =
+        ahead_log_.line("messages on " + std::string(kJointStatesTopic.name) + " from \"" +
+                            event.getPublisherName() + "\" are ignored: their stamps are " +
+                            std::to_string((stamp - now) / 1'000'000'000) +
+                            " s ahead of the clock; synchronise the clocks",
+                        ros::SteadyTime::now());
+    if (!line.empty()) ROS_WARN("%s", logText(line).c_str());
+    return;
+  }
   const bool have_velocities = message.velocity.size() == message.name.size();
   for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i) {
     JointReport report{stamp, message.position[i], {}};

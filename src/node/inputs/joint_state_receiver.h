@@ -8,6 +8,7 @@
 #include <sensor_msgs/JointState.h>
 
 #include "node/inputs/incomplete_messages.h"
+#include "world/log/repeat_log.h"
 #include "world/stopping/joint_states.h"
 
 namespace link_bounds {
@@ -21,6 +22,7 @@ class JointStateReceiver {
 
   /// All that has come since the topic is subscribed to, which the first call does. If `epoch`,
   /// that of tf, has changed since the last call, the clock has jumped back, and all is forgotten.
+  /// Stamps more than ten seconds ahead of the clock are ignored: others would count as old.
   const JointStates& read(std::uint64_t epoch);
 
   /// Forgets all, until the next read().
@@ -35,6 +37,7 @@ class JointStateReceiver {
   ros::NodeHandle node_;
   ros::Subscriber subscriber_;
   IncompleteMessages incomplete_messages_;
+  RepeatLog ahead_log_;
   JointStates states_;
 };
 

@@ -77,8 +77,11 @@ void checkKeyword(const Assignment& a) {
 /// Launch files remap names for all nodes of a scope, so an unused name is no error.
 void checkRemapping(const Assignment& a, const NodeTables& tables, CommandLine& line) {
   const bool has_tilde = a.left[0] == '~';
-  const std::string name = a.left.substr(has_tilde ? 1 : 0);
-  const bool is_topic = isTopic(a.left, tables) || kLoggers.count(a.left) > 0;
+  // As roscpp resolves it.
+  const std::string name = a.left.substr(!has_tilde ? 0 : a.left.compare(0, 2, "~/") == 0 ? 2 : 1);
+  const std::string resolved = has_tilde ? "~" + name : name;
+  const bool is_topic = isTopic(resolved, tables) || kLoggers.count(resolved) > 0;
+  const bool is_other = !is_topic && isTopic(has_tilde ? name : "~" + name, tables);
   const bool is_parameter = !is_topic && isParameter(name, tables);
   const std::string hint = "to set the parameter, write _" + name + ":=" + a.right;
   if (!isName(a.left) || !isName(a.right)) {
@@ -86,11 +89,11 @@ void checkRemapping(const Assignment& a, const NodeTables& tables, CommandLine& 
                            "\" is no name of ROS; " +
                            (is_parameter ? hint : "names have letters, digits, _ and / only"));
   }
-  const bool lacks_tilde = !has_tilde && isTopic("~" + name, tables);
-  if (is_topic || !(has_tilde || is_parameter || lacks_tilde)) return;
-  const std::string remedy = is_parameter  ? hint
-                             : lacks_tilde ? "to remap the private one, write ~" + a.argument
-                                           : "see --help";
+  if (is_topic || !(has_tilde || is_parameter || is_other)) return;
+  const std::string remedy = is_other ? "to remap the one that it has, write " +
+                                            (has_tilde ? name : "~" + name) + ":=" + a.right
+                             : is_parameter ? hint
+                                            : "see --help";
   line.warnings.push_back("argument \"" + a.argument +
                           "\" has no effect: it remaps a topic or service of that name, which the "
                           "node does not have; " +

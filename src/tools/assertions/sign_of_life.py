@@ -112,8 +112,8 @@ class SignOfLife:
 
     def told(self):
         """For the report of a failure: the longest silence, if one was too long."""
-        old = [f'only the latched message of {self._publisher} came, which may be of any time'
-               ] if self._may_be_old else []
+        old = [f'only the latched message of {self._publisher} came, which may be of any time; its next '
+               'status may take a second, which the deadline must leave'] if self._may_be_old else []
         if not self._silence:
             return old
         lines = old + [f'for {self._silence:.3g} s no message came, and no status of '

@@ -55,8 +55,6 @@ void addSpeeds(const TimedValues& samples, std::int64_t window, JointState& stat
   }
 }
 
-/// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
-/// send zeros for what it does not measure, so the speeds of the positions count, too.
 bool haveVelocities(const std::vector<JointReport>& reports) {
   return std::all_of(reports.begin(), reports.end(),
                      [](const JointReport& report) { return report.velocity; });
@@ -75,6 +73,8 @@ bool restedSince(const std::optional<JointReport>& before,
          });
 }
 
+/// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
+/// send zeros for what it does not measure, so the speeds of the positions count, too.
 /// `spread`: how far the positions are apart.
 void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp, double spread,
                        const JointState& of_positions, JointState& state) {

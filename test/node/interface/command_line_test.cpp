@@ -45,12 +45,14 @@ TEST(CommandLine, WarnsOfTopicsWithoutTheirTilde) {
 
 TEST(CommandLine, WarnsOfPrivateNamesThatTheNodeDoesNotHave) {
   const CommandLine line =
-      read({"~objcts:=/markers", "~geometry:=visual", "~get_boxes:=/boxes_at", "~reload:=/again",
-            "~get_loggers:=/loggers", "~objects:=/markers", "~boxes:=/boxes"});
-  ASSERT_EQ(line.warnings.size(), 2U);
-  EXPECT_TRUE(contains(line.warnings[0], "which the node does not have; see --help"))
-      << line.warnings[0];
-  EXPECT_TRUE(contains(line.warnings[1], "write _geometry:=visual")) << line.warnings[1];
+      read({"~objcts:=/markers", "~geometry:=visual", "~joint_states:=/js", "~get_boxes:=/boxes_at",
+            "~reload:=/again", "~get_loggers:=/loggers", "~objects:=/markers",
+            "~/objects:=/markers", "~boxes:=/boxes"});
+  const std::vector<std::string> expected{"which the node does not have; see --help",
+                                          "write _geometry:=visual", "write joint_states:=/js"};
+  ASSERT_EQ(line.warnings.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(contains(line.warnings[i], expected[i])) << line.warnings[i];
   EXPECT_TRUE(contains(refusal({"~padding:=0.05"}), "to set the parameter, write _padding:=0.05"));
 }
 

@@ -144,7 +144,7 @@ class RosTools(unittest.TestCase):
             with open(LAUNCH + "demo/" + script, encoding="utf-8") as file:
                 text = file.read()
             read = re.findall(r"get_param\('(~\w+)'", text)
-            read += ["~" + name for name in re.findall(r" parameter\('(\w+)'", text)]
+            read += ["~" + name for name in re.findall(r"number_parameter\('(\w+)'", text)]
             read += ["~rate"] * text.count(" rate_parameter(")
             with self.subTest(script):
                 if script != "arm_slower.py":  # which has none
@@ -154,7 +154,8 @@ class RosTools(unittest.TestCase):
     def test_a_parameter_that_means_nothing_ends_a_script_with_a_line(self):
         for script, value, rule in (("zone_events.py", "zones:=7", "a namespace, as text"),
                                     ("overlap_colors.py", "rate:=0", "a finite number > 0"),
-                                    ("scene_objects.py", "rate:=fast", "a finite number > 0")):
+                                    ("scene_objects.py", "rate:=fast", "a finite number > 0"),
+                                    ("scene_objects.py", "mesh_scale:=.nan", "a finite number")):
             with self.subTest(script):
                 done = subprocess.run([sys.executable, LAUNCH + "demo/" + script, "__name:=wrong", "_" + value],
                                       stderr=subprocess.PIPE, timeout=DEADLINE)

@@ -192,8 +192,11 @@ class StoppingTest(unittest.TestCase):
         wait_for(lambda: self.send_slow_tf() and joints.get_num_connections() > 0, "a subscription")
         state = JointState(name=["slide"], position=[START], velocity=[SPEED])
         type(self).now += 1
+        wrong = JointState(name=["slide"], position=[0], velocity=[0])
+        wrong.header.stamp = rospy.Time.now() + rospy.Duration(3600)  # of a clock an hour ahead
         state.header.stamp = rospy.Time(self.now)
-        joints.publish(state)
+        for message in wrong, state, wrong:
+            joints.publish(message)
 
         def cart_of(message):
             return next((box for box in message.boxes if box.name == "cart"), None)

@@ -191,6 +191,9 @@ class ZonesTest(BagBoundsTest):
                 found = self.report(bag, '--zones', path, '--min-coverage', '0.01', code=code,
                                     err='incomplete names: 1' if code else '')
                 self.assertEqual(list(found['incomplete']), ['zone cell'] if code else [])
+        late = [moving_transform('base', 'cart', i) for i in range(round(12 / PERIOD), count)]
+        bag = self.bag(sorted(arms(count) + late, key=lambda message: message[2]))
+        self.report(bag, '--zones', path, '--min-coverage', '0.01')  # it begins then
 
     def test_a_frame_that_ends_while_all_else_stands(self):
         """No transform tells that its timeout of 1 s is over."""

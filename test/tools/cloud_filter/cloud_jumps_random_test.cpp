@@ -13,9 +13,9 @@ namespace link_bounds {
 namespace {
 
 constexpr int kRounds = 20;
-constexpr int kSteps = 60;                        // of a round
-constexpr std::size_t kClouds = 25;               // of a round; fewer than may wait
-constexpr double kHistory = 9;                    // s of tf that are surely kept
+constexpr int kSteps = 60;                      // of a round
+constexpr std::size_t kClouds = 25;             // of a round; fewer than may wait
+constexpr double kHistory = 9;                  // s of tf that are surely kept
 constexpr std::uint32_t kManyPoints = 300'000;  // keep the filter busy meanwhile
 
 /// What must become of a cloud.

@@ -36,7 +36,7 @@ void Coverage::sample(const Scene& scene, const TransformBuffer& tf, std::int64_
     add(links_[i], scene.links.frame(i), scene, tf, now);
     Link& link = links_[i];
     link.has_box = states[i].box.has_value();
-    if (link.has_box && !link.had_box) link.noteDelay(now);
+    if (!link.had_box) lookForBox(link, scene.links.frame(i), scene, tf, now);
   }
   last_ = now;
   version_ = tf.version();
@@ -84,14 +84,21 @@ std::vector<double> Coverage::shares() const {
   return result;
 }
 
-void Coverage::Link::noteDelay(std::int64_t now) {
-  if (has_begun) delay = std::max(delay, now - since);
-  had_box = true;
+/// Where nothing moves, a static transform came late.
+void Coverage::lookForBox(Link& link, TransformBuffer::Frame frame, const Scene& scene,
+                          const TransformBuffer& tf, std::int64_t now) {
+  const TransformBuffer::Frame fixed = *scene.frames.fixedFrame();
+  begins_.look(tf, frame, now);
+  begins_.look(tf, fixed, now);
+  link.had_box = link.has_box;
+  if (!link.has_box || !link.has_begun) return;
+  const auto since = begins_.allSince(tf, fixed, frame, now);
+  link.delay = std::max(link.delay, now - since.value_or(link.since));
 }
 
-void Coverage::jumpBack(std::int64_t from, std::int64_t to) {
+void Coverage::jumpBack(std::int64_t to) {
+  begins_.clear();
   for (Link& link : links_) {
-    if (!link.had_box) link.noteDelay(from);
     link.had_box = false;
     link.since = to;
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bag_bounds/scene/edge_begins.h"
 #include "world/bodies/scene.h"
 
 namespace link_bounds {
@@ -25,10 +26,10 @@ class Coverage {
   std::vector<double> shares() const;
 
   /// The clock jumps back: tf forgets the time before.
-  void jumpBack(std::int64_t from, std::int64_t to);
+  void jumpBack(std::int64_t to);
 
-  /// One per link: how long after the begin of that time its first box came, or the first one after
-  /// a jump of the clock, if that is longer [ns].
+  /// One per link: for how long tf could have told where it was, before its first box came, or the
+  /// first one after a jump of the clock, if that is longer [ns].
   std::vector<std::int64_t> delays() const;
 
  private:
@@ -36,23 +37,24 @@ class Coverage {
     bool has_begun = false;
     std::int64_t begin = 0;      ///< time of that [ns]
     std::int64_t since = 0;      ///< from then on it counts: that, or earlier if it is static [ns]
-    std::int64_t delay = 0;      ///< of the first box since then, or since a jump [ns]
-    bool had_box = false;        ///< since then, or since the last jump
+    std::int64_t delay = 0;      ///< see delays()
+    bool had_box = false;        ///< since the begin, or since the last jump
     bool has_box = false;        ///< at the last sample
     std::int64_t time = 0;       ///< to the last transform [ns]
     std::int64_t covered = 0;    ///< of that [ns]
     std::int64_t open_time = 0;  ///< since the last transform [ns]
     std::int64_t open_covered = 0;  ///< of that [ns]
-
-    void noteDelay(std::int64_t now);
   };
 
   void add(Link& link, TransformBuffer::Frame frame, const Scene& scene, const TransformBuffer& tf,
            std::int64_t now);
+  void lookForBox(Link& link, TransformBuffer::Frame frame, const Scene& scene,
+                  const TransformBuffer& tf, std::int64_t now);
   std::int64_t carrierTime(TransformBuffer::Frame frame, const Scene& scene,
                            const TransformBuffer& tf, std::int64_t now) const;
 
   std::vector<Link> links_;
+  EdgeBegins begins_;
   std::int64_t last_ = 0;      ///< time of the last sample [ns]
   std::uint64_t version_ = 0;  ///< of tf at the last sample
 };

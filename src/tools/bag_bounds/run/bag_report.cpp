@@ -216,9 +216,10 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
     share = "had a box in " + shortNumber(*box.coverage) + " of its time, less than " +
             shortNumber(report.min_coverage) + " of --min-coverage";
   } else if (is_late) {
-    share = "had no box in the first " + shortSeconds(box.delay, 0) +
-            " s of its time, or after a jump of the clock, and tf remembers ten: how it moved then "
-            "is not known";
+    share =
+        "had its first box " + shortSeconds(box.delay, 0) +
+        " s after its transforms began, of which tf remembers ten seconds, as where a static one "
+        "came late: how it moved before is not known";
   }
   if (box.gaps == 0)
     return share.empty() || box.reason.empty() ? share : share + ": " + withRemedy(box);

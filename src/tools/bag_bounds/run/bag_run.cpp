@@ -190,7 +190,7 @@ void BagRun::readMessages() {
     const bool is_jump_back = scene_.goesBackTo(message.time);
     if (is_jump_back) {
       endMotions();
-      coverage_.jumpBack(last_, message.time);
+      coverage_.jumpBack(message.time);
     }
     order_.watch(message, is_jump_back);
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);

@@ -88,7 +88,7 @@ void ZoneWatch::onStep(std::int64_t now, bool is_tick, bool is_reported) {
 }
 
 /// How long all links that have a box could be compared.
-void ZoneWatch::sample(Group& group, std::int64_t now) const {
+void ZoneWatch::sample(Group& group, std::int64_t now) {
   if (!group.view) return;
   const std::int64_t passed = std::max<std::int64_t>(now - group.sampled.value_or(now), 0);
   if (group.has_boxes) group.time += passed;
@@ -101,10 +101,14 @@ void ZoneWatch::sample(Group& group, std::int64_t now) const {
     group.has_boxes = true;
     group.is_whole &= group.view->placed(body).state.box.has_value();
   });
-  if (!group.has_boxes) return;
+  if (!group.has_boxes || group.was_whole) return;
   if (!group.since) group.since = now;
-  if (!group.is_whole || std::exchange(group.was_whole, true)) return;
-  if (now - *group.since > kRemembered) noteLoss(group);
+  const TransformBuffer::Frame zone = group.view->frame(), fixed = *scene_->frames.fixedFrame();
+  begins_.look(*tf_, zone, now);
+  begins_.look(*tf_, fixed, now);
+  group.was_whole = group.is_whole;
+  const auto since = std::max(*group.since, begins_.allSince(*tf_, zone, fixed, now).value_or(0));
+  if (group.is_whole && now - since > kRemembered) noteLoss(group);
 }
 
 void ZoneWatch::noteLoss(const Group& group) {
@@ -271,6 +275,7 @@ void ZoneWatch::end(Watched& watched, InsideBody body, StayEnd how, const Record
 }
 
 void ZoneWatch::endMotions() {
+  begins_.clear();
   for (auto& item : groups_) {
     Group& group = item.second;
     group.motions.finish([&](BodyNumber number, const std::string& name, const BodyMotion& motion) {

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "tools/bag_bounds/scene/edge_begins.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/bag_bounds/watch/body_motions.h"
 #include "tools/bag_bounds/watch/zone_search.h"
@@ -140,7 +141,7 @@ class ZoneWatch {
   void updateViews(ros::Time now);
   void compareOrRemember(Group& group, std::int64_t now, bool is_reported);
   void compare(Group& group, std::int64_t now);
-  void sample(Group& group, std::int64_t now) const;
+  void sample(Group& group, std::int64_t now);
   static void noteLoss(const Group& group);
   static void noteEnd(const Group& group);
   void visit(Watched& watched, const Seen& body, std::int64_t now);
@@ -161,8 +162,9 @@ class ZoneWatch {
   std::vector<Watched> zones_;
   std::map<std::string, FrameView> views_;  ///< by frame, without the fixed one
   std::map<std::string, Group> groups_;     ///< by frame
-  std::uint64_t tf_version_ = 0;            ///< of which the views are
-  bool have_views_changed_ = false;         ///< since they were compared
+  EdgeBegins begins_;
+  std::uint64_t tf_version_ = 0;     ///< of which the views are
+  bool have_views_changed_ = false;  ///< since they were compared
   std::uint64_t comparisons_ = 0;
 };
 
