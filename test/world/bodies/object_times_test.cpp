@@ -162,6 +162,17 @@ TEST_F(ObjectTimesTest, WhatIsStaticPlacesAlsoWhatWaitedDuringAJumpBack) {
   expectBox(0, 1);
 }
 
+/// A frame does not move in itself.
+TEST_F(ObjectTimesTest, WhatWaitedDuringAJumpBackIsPlacedInTheFrameThatBecomesTheFixedOne) {
+  put(boxIn("camera", 99));
+  jumpTo(98.9);
+  hear("map", "camera", 98.95, 0, 1);
+  EXPECT_TRUE(state().incomplete);
+  adopt("camera", 2);
+  EXPECT_FALSE(state().incomplete);
+  expectBox(0, 0);
+}
+
 TEST_F(ObjectTimesTest, WhatWaitsToBePlacedAnewHasItsBoxInAnotherFixedFrame) {
   tf_.add({edge("map", "odom", 0, turnedBy(0), {5, 0, 0})}, true, now_);
   hear("map", "camera", 99, 0, 1);
