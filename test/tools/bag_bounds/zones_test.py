@@ -177,6 +177,7 @@ class ZonesTest(BagBoundsTest):
                                 code=INCOMPLETE if is_lost else 0,
                                 err='incomplete names: 1' if is_lost else '')
             self.assertEqual(list(found['incomplete']), ['zone cell'] if is_lost else [])
+            self.assertEqual('not at the end' in str(found['incomplete']), is_lost)
 
     def test_a_frame_that_is_connected_later_than_tf_remembers(self):
         """Nobody looked at who was in the zone before."""
@@ -191,6 +192,7 @@ class ZonesTest(BagBoundsTest):
                 found = self.report(bag, '--zones', path, '--min-coverage', '0.01', code=code,
                                     err='incomplete names: 1' if code else '')
                 self.assertEqual(list(found['incomplete']), ['zone cell'] if code else [])
+                self.assertEqual('tf had forgotten' in str(found['incomplete']), code != 0)
         late = [moving_transform('base', 'cart', i) for i in range(round(12 / PERIOD), count)]
         bag = self.bag(sorted(arms(count) + late, key=lambda message: message[2]))
         self.report(bag, '--zones', path, '--min-coverage', '0.01')  # it begins then

@@ -230,15 +230,15 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
 
 std::string lossOf(const ZoneRecord& record, const BagReport& report) {
   const bool is_short = record.coverage < report.min_coverage;
-  if (!is_short && !record.is_lost) return "";
-  const std::string share =
-      is_short
-          ? "of the time in which links had boxes, less than " + shortNumber(report.min_coverage) +
-                " of --min-coverage"
-          : "of the time in which links had boxes, but not in the first ten seconds, not at the "
-            "end, or not beside a jump of the clock";
-  return "compared in " + shortNumber(record.coverage) + " " + share +
-         ": tf did not connect its frame \"" + record.zone.frame +
+  if (!is_short && !record.is_lost && !record.is_late) return "";
+  std::string fault = ", but not at the end, or where the clock jumped back";
+  if (is_short) {
+    fault = ", less than " + shortNumber(report.min_coverage) + " of --min-coverage";
+  } else if (record.is_late) {
+    fault = ", but first when tf had forgotten how they moved before";
+  }
+  return "compared in " + shortNumber(record.coverage) + " of the time in which links had boxes" +
+         fault + ": tf did not connect its frame \"" + record.zone.frame +
          "\" with all of them; record what connects it";
 }
 

@@ -108,17 +108,17 @@ void ZoneWatch::sample(Group& group, std::int64_t now) {
   begins_.look(*tf_, fixed, now);
   group.was_whole = group.is_whole;
   const auto since = std::max(*group.since, begins_.allSince(*tf_, zone, fixed, now).value_or(0));
-  if (group.is_whole && now - since > kRemembered) noteLoss(group);
+  if (group.is_whole && now - since > kRemembered) note(&ZoneRecord::is_late, group);
 }
 
-void ZoneWatch::noteLoss(const Group& group) {
+void ZoneWatch::note(bool ZoneRecord::*fault, const Group& group) {
   for (Watched* watched : group.zones)
-    watched->record.is_lost = true;
+    watched->record.*fault = true;
 }
 
 /// What comes after the last comparison is looked at by nobody.
 void ZoneWatch::noteEnd(const Group& group) {
-  if (group.view && group.has_boxes && !group.is_whole) noteLoss(group);
+  if (group.view && group.has_boxes && !group.is_whole) note(&ZoneRecord::is_lost, group);
 }
 
 void ZoneWatch::compare(Group& group, std::int64_t now) {

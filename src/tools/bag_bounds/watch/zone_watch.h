@@ -57,9 +57,8 @@ struct ZoneRecord {
   /// The share of the time in which links had boxes, in which all of these also had one in the
   /// frame of the zone.
   double coverage = 1;
-  /// Some of these had none at the end, or where the clock jumped back, or first had one later than
-  /// tf remembers.
-  bool is_lost = false;
+  bool is_lost = false;  ///< at the end, or where the clock jumped back, some of these had none
+  bool is_late = false;  ///< all first had one when tf had forgotten how they moved before
 };
 
 /// A body is in a zone while its box, with padding, and the zone overlap or touch: at a message, or
@@ -142,7 +141,7 @@ class ZoneWatch {
   void compareOrRemember(Group& group, std::int64_t now, bool is_reported);
   void compare(Group& group, std::int64_t now);
   void sample(Group& group, std::int64_t now);
-  static void noteLoss(const Group& group);
+  static void note(bool ZoneRecord::*fault, const Group& group);
   static void noteEnd(const Group& group);
   void visit(Watched& watched, const Seen& body, std::int64_t now);
   void visitBegin(Watched& watched, const Seen& body, std::int64_t now) const;
