@@ -1,8 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether the publisher of a topic still lives: silence is no success."""
-import math
-
 from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 
@@ -16,11 +14,6 @@ DISTANCE_LAG = 'distances behind boxes [s]'  # a key of its status
 def publisher_of(message):
     """The node that sent it."""
     return (getattr(message, '_connection_header', None) or {}).get('callerid', '')
-
-
-def is_latched(message):
-    """Whether its topic sends the last message to each new subscriber, however old it is."""
-    return (getattr(message, '_connection_header', None) or {}).get('latching') == '1'
 
 
 def number_of(status, key):
@@ -38,9 +31,6 @@ class SignOfLife:
     may come a second later. A status does not count if it says, under the key of the lag, that the
     messages are more than max_age behind; or, without such a key, if the node has published ~boxes
     since the first status after the last message: that message no longer holds.
-
-    The first message of a latched topic may be of any time, its node long dead. So it proves nothing
-    alone: another one, or a status, must follow.
     """
 
     def __init__(self, max_age, lag_key=None, topic=''):
@@ -54,7 +44,6 @@ class SignOfLife:
         self._lag = 0.0  # s, the longest of those that were too long
         self._ros_time = 0.0  # s, of the last /clock; 0 without
         self._publisher = None  # of the last message
-        self._may_be_old = False  # the last message
         self._message = None  # when the last message came, by both clocks
         self._status_until = 0.0  # when the last status ceases to count
         self._last_sign = 0.0  # of either
@@ -76,7 +65,6 @@ class SignOfLife:
         is_first = publisher_of(message) != self._publisher
         if is_first:
             self._names = set()
-        self._may_be_old = is_first and is_latched(message) and self._max_age < math.inf
         self._publisher = publisher_of(message)
         self._message = now, self._ros_time
         self._publications = None
@@ -97,10 +85,6 @@ class SignOfLife:
     def see_clock(self, message, _now):
         self._ros_time = message.clock.to_sec()
 
-    def is_proven(self):
-        """Whether the last message is known to be of now."""
-        return not self._may_be_old
-
     def silent_since(self, now):
         """When the last sign of life ceased to count; None while it does, and before the first."""
         if self._message is None or now <= self._status_until:
@@ -112,11 +96,9 @@ class SignOfLife:
 
     def told(self):
         """For the report of a failure: the longest silence, if one was too long."""
-        old = [f'only the latched message of {self._publisher} came, which may be of any time; its next '
-               'status may take a second, which the deadline must leave'] if self._may_be_old else []
         if not self._silence:
-            return old
-        lines = old + [f'for {self._silence:.3g} s no message came, and no status of '
+            return []
+        lines = [f'for {self._silence:.3g} s no message came, and no status of '
                  f'{self._publisher or "its publisher"} in /diagnostics: silence is no success '
                  f'(max_age {self._max_age:.3g} s)']
         if self._lag:
@@ -137,23 +119,19 @@ class SignOfLife:
             self._strangers.add(name[:-len(STATUS_NAME)])
         return is_its
 
-    def _see_status(self, now):
-        self._may_be_old = False
-        self._see_sign(now, is_status=True)
-
     def _see_publications(self, count, now):
         if self._publications is None:
             self._publications = count
         if count > self._publications:
             self._has_missed = True
         else:
-            self._see_status(now)
+            self._see_sign(now, is_status=True)
 
     def _see_lag(self, lag, now):
         if lag > self._max_age:
             self._lag = max(self._lag, lag)
         else:
-            self._see_status(now)
+            self._see_sign(now, is_status=True)
 
     def _see_sign(self, now, is_status):
         self._last_sign = now

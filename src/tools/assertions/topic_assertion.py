@@ -250,7 +250,7 @@ class Watch:
         self.look(now)
 
     def is_passed(self, now):
-        return not self.fault and self._hold.is_kept(now) and self.life.is_proven()
+        return not self.fault and self._hold.is_kept(now)
 
     def evidence(self):
         """What the verdict rests on, where that needs to be said."""

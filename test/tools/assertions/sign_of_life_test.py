@@ -57,31 +57,6 @@ class SignOfLifeTest(unittest.TestCase):
         self.life.see_status(status(), 0.0)
         self.assertIsNone(self.life.silent_since(99.0))
 
-    def test_the_first_message_of_a_latched_topic_may_be_old(self):
-        """Another one, or a status, says that it is not."""
-        def latched(publisher=NODE):
-            message = boxes(publisher)
-            message._connection_header['latching'] = '1'
-            return message
-
-        for proof in (lambda: self.life.see(latched(), 1.5),
-                      lambda: self.life.see_status(status(), 1.5)):
-            self.life = SignOfLife(1.0)
-            self.life.see(latched(), 1.0)
-            self.life.see_status(status(publisher='/other'), 1.2)
-            self.assertFalse(self.life.is_proven())
-            self.assertIn('may be of any time', self.life.told()[0])
-            proof()
-            self.assertTrue(self.life.is_proven())
-            self.life.see(latched('/next'), 1.6)
-            self.assertFalse(self.life.is_proven(), 'another publisher')
-        self.life = SignOfLife(1.0)
-        self.life.see(boxes(), 1.0)
-        self.assertTrue(self.life.is_proven(), 'it has just been sent')
-        self.life = SignOfLife(math.inf)
-        self.life.see(latched(), 1.0)
-        self.assertTrue(self.life.is_proven(), 'its age is not checked')
-
     def test_the_first_message_counts_as_a_status(self):
         self.life.see(boxes(), 1.0)
         self.check_counts(3.0, 1.0)
