@@ -19,11 +19,11 @@ import rospy
 from link_bounds.msg import AxisAlignedBoxArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments  # noqa: E402
+from demo_arguments import check_arguments, has_publisher  # noqa: E402
 
 TERMINAL_PERIOD = 0.5  # s of wall time, so that the table is updated while /clock stands still
 PLAIN_PERIOD = 2.0
-QUIET = 1.0  # s of wall time without a message, which are told
+QUIET = 1.0  # s of wall time; a longer silence is told
 GAP, MARK = '   ', ' * '  # after the name of a link; the mark if it is incomplete
 HOME, CLEAR_LINE, CLEAR_BELOW, CLEAR_ALL = '\033[H', '\033[K', '\033[J', '\033[2J'
 
@@ -42,11 +42,6 @@ class Newest:
         silence = time.monotonic() - self.time
         return (('' if has_publisher else 'no publisher, ') +
                 (f'no message for {int(silence)} s, ' if silence > QUIET else ''))
-
-
-def has_publisher(topic):
-    """On Debian 11, rospy's get_num_connections() also counts those that have gone."""
-    return any(connection.socket is not None for connection in topic.impl.connections or ())
 
 
 def table(message, topic, warnings, columns):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line of the nodes that are started by launch files."""
+"""What the nodes share that are started by launch files: command line, parameters, topics."""
 
 import argparse
 import math
@@ -36,6 +36,11 @@ def number_parameter(name, default, least=-math.inf, rule='a finite number'):
 def rate_parameter(default):
     """Of a node that publishes regularly [Hz]."""
     return number_parameter('rate', default, 0, 'a finite number > 0')
+
+
+def has_publisher(topic):
+    """On Debian 11, rospy's get_num_connections() also counts those that have gone."""
+    return any(connection.socket is not None for connection in topic.impl.connections or ())
 
 
 def check_arguments(description):

@@ -160,8 +160,8 @@ def main():
     bodies = scene() + [(link, triangles, ARM) for link, triangles in
                         link_triangles(rospy.get_param(name)).items()]
     try:
-        publish_until_shutdown(bodies, Camera(int(number_parameter('width', 200, 0, 'a number of pixels'))),
-                               rate_parameter(2))
+        width = int(number_parameter('width', 200, 0, 'a number of pixels'))
+        publish_until_shutdown(bodies, Camera(width), rate_parameter(2))
     except rospy.ROSInterruptException:
         pass  # a signal during sleep is the usual end
     return 0

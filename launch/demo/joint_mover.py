@@ -105,8 +105,7 @@ def main():
     joints = movable_joints(rospy.get_param(name))
     swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
     try:
-        publish_until_shutdown(swings, rate_parameter(50),
-                               number_parameter('ahead', 0))
+        publish_until_shutdown(swings, rate_parameter(50), number_parameter('ahead', 0))
     except rospy.ROSInterruptException:
         pass  # a signal during sleep is the usual end
     return 0

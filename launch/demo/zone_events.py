@@ -22,7 +22,7 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import String
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, refuse  # noqa: E402
+from demo_arguments import check_arguments, has_publisher, refuse  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
 QUIET = 10  # PERIODs without a message: then both topics have sent what they know
@@ -192,11 +192,6 @@ def tell(text, publish):
         rospy.loginfo(printable(text))
     except (OSError, AttributeError, ValueError):
         pass
-
-
-def has_publisher(topic):
-    """On Debian 11, rospy's get_num_connections() also counts those that have gone."""
-    return any(connection.socket is not None for connection in topic.impl.connections or ())
 
 
 def main():

@@ -157,7 +157,8 @@ class RosTools(unittest.TestCase):
                                     ("scene_objects.py", "rate:=fast", "a finite number > 0"),
                                     ("scene_objects.py", "mesh_scale:=.nan", "a finite number")):
             with self.subTest(script):
-                done = subprocess.run([sys.executable, LAUNCH + "demo/" + script, "__name:=wrong", "_" + value],
+                done = subprocess.run([sys.executable, LAUNCH + "demo/" + script,
+                                       "__name:=wrong", "_" + value],
                                       stderr=subprocess.PIPE, timeout=DEADLINE)
                 name = value.split(":")[0]
                 self.assertRegex(done.stderr.decode(), r"^%s: parameter ~%s is .*, but must be %s\n$" %

@@ -116,6 +116,13 @@ class Sequence {
       const bool is_next = when > stamp && (expected.empty() || expected.back().stamp < stamp);
       if (when >= stamp - window && (when <= stamp || is_next)) expected.push_back(report);
     }
+    const auto next = all.lower_bound(stamp);
+    const bool is_there = next != all.begin() && std::prev(next)->first >= stamp - kSecond;
+    const auto last = states_.lastBefore(name, stamp);
+    ASSERT_EQ(last.has_value(), is_there);
+    if (last) {
+      EXPECT_EQ(last->stamp, std::prev(next)->first);
+    }
     const auto found = states_.reports(name, stamp, window);
     ASSERT_EQ(found.has_value(), !all.empty());
     if (!found) return;
