@@ -176,6 +176,14 @@ JointRows jointRows(const SharedRobot& shared, const py::handle& q, const std::s
   return rows;
 }
 
+std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std::size_t row) {
+  std::vector<double> values(shared.robot().joints.size(), 0.0);
+  const double* const given = rows.row(row, shared.joints().size());
+  for (std::size_t i = 0; i < shared.joints().size(); ++i)
+    values[shared.joints()[i]] = given[i];
+  return values;
+}
+
 GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
   GivenRanges given;
   if (ranges.is_none()) return given;

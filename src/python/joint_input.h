@@ -7,6 +7,7 @@
 #include <pybind11/numpy.h>
 
 #include <string>
+#include <vector>
 
 #include "python/shared_robot.h"
 
@@ -31,10 +32,12 @@ struct JointRows {
 JointRows jointRows(const SharedRobot& shared, const pybind11::handle& q,
                     const std::string& name = "q");
 
+/// Of one of the rows: a value per joint of the robot, 0 where the row has none.
+std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std::size_t row);
+
 /// A dict from names to a value or to a pair (lower, upper); or None.
 GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& ranges);
 
-/// Refuses a number that is not finite, or below 0.
 /// Throws ValueError for more threads than any machine has. 0: one per core.
 void checkJobs(unsigned jobs);
 
@@ -44,6 +47,7 @@ void checkJobs(unsigned jobs);
 pybind11::array numbersOf(const pybind11::handle& given, const std::string& name,
                           const std::string& what);
 
+/// Refuses a number that is not finite, or below 0.
 void checkLength(const char* name, double metres);
 
 /// Refuses a number that is not above 0.

@@ -40,15 +40,6 @@ class EndedEarly : public std::exception {};
 /// What a call computes of a pose, in the row of that number.
 using PoseWork = std::function<void(PosedRobot& posed, std::size_t row)>;
 
-void pose(const SharedRobot& shared, const JointRows& rows, std::size_t row, PosedRobot& posed) {
-  const std::vector<std::size_t>& joints = shared.joints();
-  const double* const given = rows.row(row, joints.size());
-  std::vector<double> values(shared.robot().joints.size(), 0.0);
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    values[joints[i]] = given[i];
-  posed.move(std::move(values));
-}
-
 /// For the user.
 std::string placeOf(const JointRows& rows, std::size_t row) {
   return rows.is_single ? "" : "q[" + std::to_string(row) + "]: ";
@@ -57,7 +48,7 @@ std::string placeOf(const JointRows& rows, std::size_t row) {
 void workOn(const SharedRobot& shared, const JointRows& rows, std::size_t row, PosedRobot& posed,
             const PoseWork& work) {
   try {
-    pose(shared, rows, row, posed);
+    posed.move(spread(shared, rows, row));
     work(posed, row);
   } catch (const JointError& error) {
     throw JointError(placeOf(rows, row) + error.what());
@@ -101,13 +92,16 @@ void forMany(SharedRobot& shared, const JointRows& rows, unsigned jobs, const Po
   interruptible([&](const StopFlag& stop) { forPoses(shared, rows, threads, stop, work); });
 }
 
+[[noreturn]] void refuse(const SharedRobot& shared, std::size_t link, const std::string& lacks) {
+  throw JointError("link \"" + shared.bounded().links[link].name +
+                   "\": its size and pose give no finite " + lacks);
+}
+
 /// A link that has no box is no ValueError only where the user allows links to be incomplete.
 void writeBoxes(const SharedRobot& shared, const PosedRobot& posed, double* out) {
   for (std::size_t link = 0; link < shared.bounded().links.size(); ++link, out += kBoxNumbers) {
     const std::optional<Aabb>& box = posed.box(link);
-    if (!box && !shared.allowsIncomplete())
-      throw JointError("link \"" + shared.bounded().links[link].name +
-                       "\": its size and pose give no finite box");
+    if (!box && !shared.allowsIncomplete()) refuse(shared, link, "box");
     if (box) {
       std::copy_n(box->min().data(), 3, out);
       std::copy_n(box->max().data(), 3, out + 3);
@@ -131,18 +125,10 @@ PairRow rowOf(const LinkPairDistance& pair, std::size_t row) {
   return result;
 }
 
-void refuseUnmeasured(const SharedRobot& shared, const PoseDistances& found) {
-  if (found.unmeasured.empty()) return;
-  throw JointError("link \"" + shared.bounded().links[found.unmeasured.front()].name +
-                   "\": its size and pose give no finite distance");
-}
-
 /// A link without a box would be in no pair.
 void refuseUnboxed(const SharedRobot& shared, const PosedRobot& posed) {
   for (std::size_t link = 0; link < shared.bounded().links.size(); ++link) {
-    if (posed.box(link) || shared.allowsIncomplete()) continue;
-    throw JointError("link \"" + shared.bounded().links[link].name +
-                     "\": its size and pose give no finite distance");
+    if (!posed.box(link) && !shared.allowsIncomplete()) refuse(shared, link, "distance");
   }
 }
 
@@ -175,7 +161,7 @@ py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, un
   const auto measure = [&](PosedRobot& posed, std::size_t row) {
     refuseUnboxed(shared, posed);
     const PoseDistances distances = posed.distances(limit);
-    refuseUnmeasured(shared, distances);
+    if (!distances.unmeasured.empty()) refuse(shared, distances.unmeasured.front(), "distance");
     for (const LinkPairDistance& pair : distances.pairs)
       found[row].push_back(rowOf(pair, row));
   };

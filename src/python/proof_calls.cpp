@@ -9,6 +9,7 @@
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "python/joint_input.h"
 #include "python/text.h"
+#include "robot/bounded_robot.h"
 #include "robot/pairs/srdf.h"
 #include "robot/posed/robot_path.h"
 #include "robot/threads/row_threads.h"
@@ -106,15 +107,6 @@ std::vector<double> timesOf(const py::object& given, std::size_t count) {
   return result;
 }
 
-/// One per joint of the robot.
-std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std::size_t row) {
-  std::vector<double> values(shared.robot().joints.size(), 0.0);
-  const double* const given = rows.row(row, shared.joints().size());
-  for (std::size_t i = 0; i < shared.joints().size(); ++i)
-    values[shared.joints()[i]] = given[i];
-  return values;
-}
-
 std::vector<JointMotion> motionsOf(const SharedRobot& shared, const PathRequest& request) {
   const JointRows poses = rowsOf(shared, request.poses, "q");
   const auto velocities = optionalRows(shared, request.velocities, "velocities", poses.count);
@@ -166,10 +158,8 @@ BoundedRobot objectsOf(const SharedRobot& shared, const py::object& given) {
   }
   BoundedRobot loaded = interruptible(
       [&](const StopFlag& stop) { return shared.loadObjects(objects, folderOf(file), stop); });
-  for (const auto* problems : {&loaded.problems, &loaded.body_problems}) {
-    for (const std::string& problem : *problems)
-      warnInPython(file + ": " + problem);
-  }
+  for (const std::string& problem : allProblems(loaded))
+    warnInPython(file + ": " + problem);
   return loaded;
 }
 

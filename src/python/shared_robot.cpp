@@ -61,8 +61,8 @@ void SharedRobot::warnOfLeftOut() const {
 
 std::vector<std::string> SharedRobot::warnings() const {
   std::vector<std::string> result = robot_.warnings;
-  result.insert(result.end(), bounded_.problems.begin(), bounded_.problems.end());
-  result.insert(result.end(), bounded_.body_problems.begin(), bounded_.body_problems.end());
+  for (std::string& problem : allProblems(bounded_))
+    result.push_back(std::move(problem));
   return result;
 }
 

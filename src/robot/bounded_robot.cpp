@@ -266,6 +266,12 @@ BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const Me
   return std::move(draft.robot);
 }
 
+std::vector<std::string> allProblems(const BoundedRobot& robot) {
+  std::vector<std::string> all = robot.problems;
+  all.insert(all.end(), robot.body_problems.begin(), robot.body_problems.end());
+  return all;
+}
+
 std::string leftOutNote(const Robot& robot, const Selection& selection) {
   if (selection.visual && selection.collision) return "";
   const Purpose chosen = selection.visual ? Purpose::kVisual : Purpose::kCollision;

@@ -3,6 +3,9 @@
 // What RobotLoader::load does, with its store.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "link_bounds/robot/robot_loader.h"
 
 namespace link_bounds {
@@ -10,6 +13,9 @@ namespace link_bounds {
 /// Selects links and loads their meshes by the store. Bad geometry makes its link incomplete.
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
                         MeshStore& store, const MeshRemedy& remedy);
+
+/// BoundedRobot::problems, then body_problems.
+std::vector<std::string> allProblems(const BoundedRobot& robot);
 
 /// For the user: names the selected links that have geometry of the other kind only; "" if there
 /// are none.

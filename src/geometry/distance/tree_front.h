@@ -58,8 +58,6 @@ static_assert(std::is_trivially_copyable_v<FrontPair>);
 /// The pairs of nodes that a search dropped. Each pair of triangles is in exactly one of them.
 class Front {
  public:
-  bool isEmpty() const { return pairs_.empty(); }
-
   /// A search renews them in place, which saves the time and the memory of a copy, and then calls
   /// one of the following.
   std::vector<FrontPair>& pairs() { return pairs_; }

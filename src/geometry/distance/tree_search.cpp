@@ -97,44 +97,25 @@ class NodeSearch {
     }
   }
 
-  /// Most pairs of the last front are still proven to be far enough apart, by what was proven then
-  /// or by the direction that did it then; the others are looked at. False, and nothing is done, if
-  /// more than three quarters are not: then the front is of another time.
+  /// Most pairs of the last front are still proven to be far enough apart; the others are looked
+  /// at. False, and nothing is done, if more than three quarters are not: then the front is of
+  /// another time.
   bool goOn() {
     if (front_.empty()) return false;
-    const Eigen::Matrix3d& axes = resting(*pair_.first_rigid, *pair_.second_rigid).axes;
     std::optional<NodeMotion> motion;
-    std::vector<NodePair>& near = scratch_.near;
     const double far_enough = farEnough();
     auto held = front_.begin();
     for (FrontPair& known : front_) {
-      double lower = std::max(hulls_.lower, known.bound.at(pair_.motion.moved));
-      if (!(lower >= far_enough)) {
-        if (!motion) motion.emplace(pair_);
-        lower = known.bound.at(pair_.motion.moved_then) - motion->approach(known);
-        if (lower >= far_enough) {
-          known.bound = {lower, pair_.motion.moved};
-        } else {
-          NodePair pair{known.first, known.second, {hulls_.lower, 0, hulls_.normal}};
-          pair.separation.normal = (axes * known.direction()).normalized();
-          if (!haveTriangles() || !areLeaves(pair)) {  // their triangles do that better
-            pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
-          }
-          lower = pair.separation.lower;
-          if (!(lower >= far_enough)) {
-            near.push_back(pair);
-            if (near.size() >= kSample && isOfAnotherTime(held - front_.begin())) return giveUp();
-            continue;
-          }
-          known = dropped(pair);
-        }
+      if (const auto lower = stillApart(known, far_enough, motion)) {
+        lower_ = std::min(lower_, *lower);
+        *held++ = known;
+      } else if (scratch_.near.size() >= kSample && isOfAnotherTime(held - front_.begin())) {
+        return giveUp();
       }
-      lower_ = std::min(lower_, lower);
-      *held++ = known;
     }
     if (isOfAnotherTime(held - front_.begin())) return giveUp();
     front_.erase(held, front_.end());
-    for (NodePair& pair : near) {
+    for (NodePair& pair : scratch_.near) {
       if (steps_left_ > 0) {
         --steps_left_;
         lookAgain(pair);
@@ -143,6 +124,33 @@ class NodeSearch {
       empty();
     }
     return true;
+  }
+
+  /// How far two nodes of the last front are still proven to be apart: by how much any points can
+  /// have come nearer since, by how the nodes have moved, or along the direction that decided then.
+  /// If nothing proves `far_enough`, they are put among the near ones.
+  std::optional<double> stillApart(FrontPair& known, double far_enough,
+                                   std::optional<NodeMotion>& motion) {
+    const double by_bodies = std::max(hulls_.lower, known.bound.at(pair_.motion.moved));
+    if (by_bodies >= far_enough) return by_bodies;
+    if (!motion) motion.emplace(pair_);
+    const double by_nodes = known.bound.at(pair_.motion.moved_then) - motion->approach(known);
+    if (by_nodes >= far_enough) {
+      known.bound = {by_nodes, pair_.motion.moved};
+      return by_nodes;
+    }
+    NodePair pair{known.first, known.second, {hulls_.lower, 0, hulls_.normal}};
+    const Eigen::Matrix3d& axes = resting(*pair_.first_rigid, *pair_.second_rigid).axes;
+    pair.separation.normal = (axes * known.direction()).normalized();
+    if (!haveTriangles() || !areLeaves(pair)) {  // their triangles do that better
+      pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
+    }
+    if (pair.separation.lower >= far_enough) {
+      known = dropped(pair);
+      return pair.separation.lower;
+    }
+    scratch_.near.push_back(pair);
+    return std::nullopt;
   }
 
   /// Of those pairs of the last front that were looked at, so many still hold.

@@ -50,8 +50,6 @@ struct MD5Sum<link_bounds::Received<Message>> : MD5Sum<Message> {};
 template <class Message>
 struct DataType<link_bounds::Received<Message>> : DataType<Message> {};
 template <class Message>
-struct Definition<link_bounds::Received<Message>> : Definition<Message> {};
-template <class Message>
 struct HasHeader<link_bounds::Received<Message>> : HasHeader<Message> {};
 
 }  // namespace ros::message_traits

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <utility>
@@ -23,8 +24,8 @@ class Worker : public ros::CallbackQueueInterface {
 
   struct Options {
     std::string name;  ///< of the thread, for the error if it cannot be started
-    /// Threads that are not nice go first, where cores are scarce. While nothing else waits, it
-    /// begins with what is posted 1 ms later.
+    /// A nice thread gives way to others where cores are scarce. If it was idle, it waits 1 ms
+    /// before it begins with what is posted.
     bool is_nice = false;
     /// Called on the thread at its start, after all that waits was done, and then every
     /// `tick_period` while it returns true or throws.

@@ -5,6 +5,7 @@
 #include "robot/posed/path_prover.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <deque>
 #include <map>
@@ -26,15 +27,8 @@ constexpr double kFarthest = 1e9;
 }  // namespace
 
 const char* toText(PathVerdict verdict) {
-  switch (verdict) {
-    case PathVerdict::kSafe:
-      return "SAFE";
-    case PathVerdict::kCollides:
-      return "COLLIDES";
-    case PathVerdict::kUndecided:
-      break;
-  }
-  return "UNDECIDED";
+  constexpr std::array<const char*, 3> kTexts{"SAFE", "COLLIDES", "UNDECIDED"};
+  return kTexts.at(static_cast<std::size_t>(verdict));
 }
 
 std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& limits) {

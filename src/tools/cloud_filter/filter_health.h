@@ -3,6 +3,7 @@
 // What /diagnostics says of the filter.
 #pragma once
 
+#include <diagnostic_msgs/DiagnosticStatus.h>
 #include <ros/node_handle.h>
 
 #include <cstdint>
@@ -27,24 +28,24 @@ class FilterHealth {
   static constexpr std::uint32_t kQueue = kMaxWaiting + 1;
 
   /// The queue of an input was full, so roscpp may have dropped messages of it.
-  void addFullQueue() { ++new_full_, ++full_; }
+  void addFullQueue() { ++recent_.full, ++full_; }
 
   /// The queue of /tf was full, so roscpp may have dropped transforms.
-  void addFullTfQueue() { was_tf_full_ = true; }
+  void addFullTfQueue() { recent_.was_tf_full = true; }
 
   /// A cloud or scan was filtered: it waited for tf and its turn, then took so long.
   void addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
                    double filter_ms);
 
   /// One that was filtered had waited for others for long.
-  void addLateTurn() { ++late_turns_; }
+  void addLateTurn() { ++recent_.late_turns; }
 
   /// One was dropped or, if `is_passed`, sent on with the robot's points. Logs that, at a limited
   /// rate.
   void addUnfiltered(const std::string& topic, const std::string& reason, bool is_passed);
 
   /// A cloud was filtered, but there are no nearest points of it, for which somebody listens.
-  void addWithoutNearest(const std::string& reason) { addReason(reason, without_nearest_); }
+  void addWithoutNearest(const std::string& reason) { addReason(reason, recent_.without_nearest); }
 
   /// One status named "<node name>: cloud filter". ERROR: there is no robot, none of its links is
   /// filtered, or since the last status something failed that should not. WARN: geometry or held
@@ -58,19 +59,26 @@ class FilterHealth {
  private:
   using Reasons = std::map<std::string, std::size_t>;
 
+  /// Since the last status.
+  struct Recent {
+    std::size_t points = 0, robot_points = 0;
+    std::vector<double> filter_ms;
+    double max_waited_ms = 0;
+    std::uint64_t full = 0, late_turns = 0;
+    bool was_tf_full = false;
+    Reasons unfiltered;       ///< why clouds were not filtered
+    Reasons without_nearest;  ///< why filtered ones have no nearest points
+  };
+
   static void addReason(const std::string& reason, Reasons& reasons);
+  void assess(diagnostic_msgs::DiagnosticStatus& status, const FilteredRobot* robot,
+              bool are_objects_whole);
+  void describe(diagnostic_msgs::DiagnosticStatus& status, double seconds);
 
   std::string name_;
   ros::Publisher publisher_;
   ros::SteadyTime last_status_ = ros::SteadyTime::now();
-  // Since the last status:
-  std::size_t points_ = 0, robot_points_ = 0;
-  std::vector<double> filter_ms_;
-  double max_waited_ms_ = 0;
-  std::uint64_t new_full_ = 0, late_turns_ = 0;
-  bool was_tf_full_ = false;
-  Reasons new_reasons_;      ///< why clouds were not filtered
-  Reasons without_nearest_;  ///< why filtered ones have no nearest points
+  Recent recent_;
   // Since the start:
   std::uint64_t filtered_ = 0, dropped_ = 0, passed_ = 0, full_ = 0;
   std::uint64_t last_errors_ = 0;  ///< unexpectedErrors() at the last status

@@ -119,9 +119,7 @@ std::shared_ptr<const FilteredRobot> filteredRobot(const std::string& descriptio
   const BoundedRobot bounded = loader.load(robot, selection, source);
   FilteredRobot result;
   result.parameters = parameters;
-  result.problems = bounded.problems;
-  result.problems.insert(result.problems.end(), bounded.body_problems.begin(),
-                         bounded.body_problems.end());
+  result.problems = allProblems(bounded);
   result.left_out = leftOutNote(robot, selection);
   result.warnings = unknownLinks(parameters, linkNames(robot));
   for (const Link& link : robot.links)

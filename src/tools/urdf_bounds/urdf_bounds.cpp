@@ -37,9 +37,7 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
       options.distances || options.report == Report::kPairs || options.report == Report::kPath;
   const MeshSource source{rosPackages(), folderOf(options.file), progressBar(), {}, isInterrupted};
   BoundedRobot bounded = RobotLoader().load(robot, selection, source);
-  for (const std::string& problem : bounded.problems)
-    warn(problem);
-  for (const std::string& problem : bounded.body_problems)
+  for (const std::string& problem : allProblems(bounded))
     warn(problem);
   return bounded;
 }
@@ -143,10 +141,8 @@ PathObjects loadObjects(const UrdfBoundsOptions& options) {
   checkOutputs(options, meshFiles(objects.robot, source.package_path, source.base_folder));
   objects.bounded = RobotLoader().load(objects.robot, selection, source);
   nameObjects(objects.bounded);
-  for (const auto* problems : {&objects.bounded.problems, &objects.bounded.body_problems}) {
-    for (const std::string& problem : *problems)
-      warn(file + ": " + problem);
-  }
+  for (const std::string& problem : allProblems(objects.bounded))
+    warn(file + ": " + problem);
   return objects;
 }
 

@@ -8,21 +8,9 @@
 #include "robot/urdf/simple_joints.h"
 
 namespace link_bounds {
-namespace {
-
-std::uint8_t toMessage(PathVerdict verdict) {
-  switch (verdict) {
-    case PathVerdict::kSafe:
-      return PathSegment::SAFE;
-    case PathVerdict::kCollides:
-      return PathSegment::COLLIDES;
-    case PathVerdict::kUndecided:
-      break;
-  }
-  return PathSegment::UNDECIDED;
-}
-
-}  // namespace
+static_assert(PathSegment::SAFE == static_cast<int>(PathVerdict::kSafe));
+static_assert(PathSegment::COLLIDES == static_cast<int>(PathVerdict::kCollides));
+static_assert(PathSegment::UNDECIDED == static_cast<int>(PathVerdict::kUndecided));
 
 PathCheck::PathCheck(PastScene& scene, CheckPath::Request& request, const PathTrees& trees,
                      const PathLimits& limits)
@@ -52,7 +40,7 @@ void PathCheck::proveNext(const std::function<bool()>& is_over) {
   SegmentProof proof;
   const JointMotion motion = trajectory_.motion(segment.start);
   if (!is_over()) proof = prover_.prove(motion, is_over);
-  segment.verdict = toMessage(proof.verdict);
+  segment.verdict = static_cast<std::uint8_t>(proof.verdict);
   segment.clearance = proof.clearance;
   segment.nearest = proof.nearest;
   if (std::isfinite(proof.nearest)) {

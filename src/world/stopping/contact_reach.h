@@ -32,8 +32,6 @@ class ContactReach {
   /// the joints from that one on move [m].
   double until(std::int64_t time, std::size_t first = 0) const;
 
-  std::int64_t stamp() const { return stamp_; }
-
   friend std::size_t sharedJoints(const ContactReach& a, const ContactReach& b);
   friend bool canMeet(const ContactReach& a, const ContactReach& b);
   friend std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,

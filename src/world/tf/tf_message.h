@@ -87,8 +87,6 @@ template <>
 struct MD5Sum<link_bounds::TfMessage> : MD5Sum<tf2_msgs::TFMessage> {};
 template <>
 struct DataType<link_bounds::TfMessage> : DataType<tf2_msgs::TFMessage> {};
-template <>
-struct Definition<link_bounds::TfMessage> : Definition<tf2_msgs::TFMessage> {};
 
 }  // namespace ros::message_traits
 

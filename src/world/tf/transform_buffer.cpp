@@ -105,12 +105,7 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   const bool is_replaced = edge.is_static && edge.has_parent &&
                            !edge.history->holds({transform.parent_from_child, parent, stamp});
   if (is_replaced) count(&TfIntake::replaced, edge.needs > 0);
-  if (is_replaced && !is_static) {
-    edge.is_in_doubt = true;
-    edge.doubted = now;
-  } else if (is_static && std::abs(now - edge.doubted) > kDoubt) {
-    edge.is_in_doubt = false;
-  }
+  edge.doubt(is_replaced, is_static, now);
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
   const bool is_in_order = is_accepted ? record(edge, parent, stamp, now)
                                        : refuse(edge, {transform.parent_from_child, parent, stamp});
@@ -125,6 +120,16 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   refusal.is_accepted = is_accepted;
   refusal.behind = static_cast<double>(edge.newest - stamp) / 1e9;
   return false;
+}
+
+/// A static edge that /tf contradicts is in doubt until only /tf_static tells of it for a while.
+void TransformBuffer::Edge::doubt(bool is_replaced, bool on_static, std::int64_t now) {
+  if (is_replaced && !on_static) {
+    is_in_doubt = true;
+    doubted = now;
+  } else if (on_static && std::abs(now - doubted) > kDoubt) {
+    is_in_doubt = false;
+  }
 }
 
 /// False if the transform is refused.

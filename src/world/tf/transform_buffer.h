@@ -237,6 +237,7 @@ class TransformBuffer {
     std::optional<EdgeHistory> history;  ///< none before the first transform
 
     void clear();
+    void doubt(bool is_replaced, bool on_static, std::int64_t now);
     bool isTooOld(std::int64_t stamp) const { return stamp + EdgeHistory::kLength < newest; }
   };
 

@@ -10,7 +10,6 @@ import random
 import signal
 import subprocess
 import time
-import unittest
 from xml.etree import ElementTree
 
 import urdf_bounds_testing

@@ -14,7 +14,7 @@
 
 namespace link_bounds {
 
-/// Of the thread of one worker, but for problem().
+/// Only the thread of one worker may use it; any thread may call problem().
 class WayScenes {
  public:
   explicit WayScenes(const SceneCopier& scenes) : scenes_(scenes) {}

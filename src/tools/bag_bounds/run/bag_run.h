@@ -87,7 +87,7 @@ class BagRun {
   std::uint64_t steps_ = 0;
   std::uint64_t back_before_start_ = 0;  ///< messages, after the report had begun
   bool ended_early_ = false;             ///< at --end
-  bool goes_back_after_end_ = false;     ///< messages that were not read, to times of the report
+  bool goes_back_after_end_ = false;     ///< messages after --end, which were not read
   std::set<std::string> unused_topics_;
   std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
   std::vector<std::string> static_losses_;  ///< of the bag of --static-from

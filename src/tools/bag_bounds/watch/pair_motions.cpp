@@ -135,8 +135,9 @@ std::int64_t PairMotions::oldestNeeded(std::int64_t newest) const {
   return lacks_link ? std::min(oldest, newest - 2 * EdgeHistory::kLength) : oldest;
 }
 
-/// When the stamps of all bodies that move have passed the deletion. Who is silent may go on at any
-/// time: tf may have stalled. Until then, of those that are too old or too many the names stay.
+/// When the stamps of all bodies that move have passed the deletion. A body without new stamps may
+/// move on later, because tf may only have stalled. So objects that are dropped because they are
+/// too old or too many are remembered by name until then.
 void PairMotions::forgetGone() {
   std::int64_t newest = 0;
   for (const auto& [key, known] : known_)
@@ -146,15 +147,18 @@ void PairMotions::forgetGone() {
   gone_.erase(std::remove_if(gone_.begin(), gone_.end(), is_over), gone_.end());
   if (forgotten_until_ <= oldest) forgotten_.clear();
   std::size_t excess = gone_.size() - std::min(gone_.size(), kMaxGone);
-  const auto is_forgotten = [&](const Gone& gone) {
-    if (newest - gone.until <= EdgeHistory::kLength && excess == 0) return false;
+  std::vector<Gone> kept;
+  for (Gone& gone : gone_) {
+    if (newest - gone.until <= EdgeHistory::kLength && excess == 0) {
+      kept.push_back(std::move(gone));
+      continue;
+    }
     if (excess > 0) --excess;
     std::int64_t& until = forgotten_[gone.seen.object->bounded.name];
     until = std::max(until, gone.until);
     forgotten_until_ = std::max(forgotten_until_, until);
-    return true;
-  };
-  gone_.erase(std::remove_if(gone_.begin(), gone_.end(), is_forgotten), gone_.end());
+  }
+  gone_ = std::move(kept);
 }
 
 /// With those that were there when a motion began that ends now.

@@ -40,11 +40,11 @@ struct MovedBody : FramedBody {
   std::int64_t begin = 0;  ///< stamps of its motion; 0: does not move
   std::int64_t end = 0;
   std::int64_t since = 0;         ///< its motion is known from this stamp on
-  std::int64_t reported = 0;      ///< and looked at from here on beside what is placed now
-  std::int64_t rested = 0;        ///< beside its last place, others were looked at until then
+  std::int64_t reported = 0;      ///< its motion is examined from here on beside what is placed now
+  std::int64_t rested = 0;        ///< others near its last place were examined until then
   bool was_there = false;         ///< its motion to `end` is known, or it does not move
   bool is_placed_now = false;     ///< in this step, where it stands since an earlier stamp
-  bool goes_on = false;           ///< in the next moment, where it stands since an earlier stamp
+  bool goes_on = false;           ///< the next moment has it, too, and looks at what follows `end`
   std::int64_t until = kForEver;  ///< when it was deleted
   std::int64_t moved_until = 0;   ///< before that; 0: it is there, or does not move
   double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]

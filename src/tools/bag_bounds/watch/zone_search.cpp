@@ -75,23 +75,23 @@ class StaySearch {
   ZoneSearch found_;
 };
 
-ZoneSearch undecided(const std::string& why) {
+}  // namespace
+
+ZoneSearch undecidedZone(const std::string& why) {
   ZoneSearch result;
   result.clearance = 0;
   result.undecided = why;
   return result;
 }
 
-}  // namespace
-
 ZoneSearch searchZone(const TransformBuffer& tf, const BodyMotion& motion, const Aabb& zone,
                       double wanted, const std::function<bool()>& gives_up) {
   MotionPath path = pathBetween(tf, motion.target, motion.source, motion.span, kNoTimeout);
-  if (!path.problem.empty()) return undecided(path.problem);
+  if (!path.problem.empty()) return undecidedZone(path.problem);
   StaySearch search(motion, zone, wanted);
   MotionWalk<StaySearch> walk(path, motion.span, radiusOf(motion), search, gives_up);
   if (walk.walk()) return search.take();
-  return undecided(walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite");
+  return undecidedZone(walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite");
 }
 
 }  // namespace link_bounds

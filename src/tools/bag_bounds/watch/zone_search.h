@@ -43,4 +43,7 @@ struct ZoneSearch {
 ZoneSearch searchZone(const TransformBuffer& tf, const BodyMotion& motion, const Aabb& zone,
                       double wanted, const std::function<bool()>& gives_up);
 
+/// A search that found nothing, for the reason `why`.
+ZoneSearch undecidedZone(const std::string& why);
+
 }  // namespace link_bounds

@@ -3,6 +3,7 @@
 #include "tools/bag_bounds/watch/zone_watch.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -15,15 +16,8 @@ constexpr double kPerWay = 1.7321;  // sqrt(3), rounded up
 }  // namespace
 
 const char* toText(StayEnd end) {
-  switch (end) {
-    case StayEnd::kLeft:
-      return "left";
-    case StayEnd::kLost:
-      return "lost";
-    case StayEnd::kReportEnded:
-      break;
-  }
-  return "report_ended";
+  constexpr std::array<const char*, 3> kTexts{"left", "lost", "report_ended"};
+  return kTexts.at(static_cast<std::size_t>(end));
 }
 
 ZoneWatch::ZoneWatch(const std::vector<Zone>& zones, std::function<bool()> gives_up)
@@ -207,10 +201,7 @@ void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now)
   } else if (body.motion->view_from_target) {
     take(watched, body, searchZone(*tf_, *body.motion, record.zone.box, wanted, gives_up_), now);
   } else {
-    ZoneSearch unknown;
-    unknown.clearance = 0;
-    unknown.undecided = "tf forgot where the frame of the zone was";
-    take(watched, body, unknown, now);
+    take(watched, body, undecidedZone("tf forgot where the frame of the zone was"), now);
   }
   if (body.motion->since_replaced) return;
   const auto inside = watched.inside.find(body.number);
