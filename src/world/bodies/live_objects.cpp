@@ -103,6 +103,17 @@ StampTime LiveObjects::stampTime(const LiveObject& object, bool had_stamp) const
   return has_jumped_back_ && had_stamp ? StampTime::kRepeated : StampTime::kKnown;
 }
 
+bool LiveObjects::endStatic(const ObjectKey& key, ros::Time now) {
+  const auto found = objects_.find(key);
+  if (found == objects_.end() || !found->second.content->is_static) return false;
+  LiveObject& object = found->second;
+  auto content = std::make_shared<ObjectContent>(*object.content);
+  content->is_static = false;
+  object.content = std::move(content);
+  object.received = clock_.observe(now);
+  return refresh(object, now);
+}
+
 bool LiveObjects::remove(const ObjectKey& key) {
   const auto found = objects_.find(key);
   if (found == objects_.end()) return false;

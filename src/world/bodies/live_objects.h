@@ -51,6 +51,8 @@ class LiveObjects {
   /// as incomplete.
   bool put(const ObjectKey& key, ObjectContent content, ros::Time now);
   bool remove(const ObjectKey& key);
+  /// A neighbour's that is static falls silent, too, from now on.
+  bool endStatic(const ObjectKey& key, ros::Time now);
   /// All objects of markers. Neighbours stay: they end with the messages of their sender.
   bool removeAll();
   /// Of these, only those that this publisher was the last to send.
@@ -83,7 +85,7 @@ class LiveObjects {
   /// An object that is sent again and again before there is a transform at its stamp.
   struct NeverPlaced {
     const LiveObject* object;
-    double ahead;  ///< its stamp, of the newest transform [s]; negative: behind
+    double ahead;  ///< its stamp minus that of the newest transform [s]
   };
 
   /// Those that wait for longer than others until they are given up, in frames that tf connects.

@@ -37,24 +37,62 @@ bool NeighbourSets::take(const AxisAlignedBoxArray& array, const NeighbourSender
   from.has_connection = sender.connection != nullptr;
   from.lost_since.reset();
   bool is_changed = false;
-  Set* const set = setOf(from, boxes, is_changed);
+  Set* const set = setOf(from, sender.name, boxes, is_changed);
   if (set) is_changed |= replace(*set, sender.name, std::move(boxes), now);
+  if (set) set->connection = sender.connection;
+  if (is_anew) is_changed |= endStatic(from, now);
+  return is_changed;
+}
+
+/// Whether no set has these links that was sent on this connection.
+bool NeighbourSets::isNewRobot(const Sender& sender, const std::set<std::string>& links,
+                               const std::string& frame) {
+  const auto has_links = [&](const Set& set) {
+    return canBeSame(set.frame, frame) && share(set.links, links) &&
+           set.connection.lock() == sender.connection.lock();
+  };
+  return !links.empty() && std::none_of(sender.sets.begin(), sender.sets.end(), has_links);
+}
+
+/// Whether the set has one of the boxes, under either of its names.
+bool NeighbourSets::hasOneOf(const Set& set, const std::string& sender,
+                             const NeighbourBoxes& boxes) {
+  const auto has = [&](const std::string& box) {
+    return set.keys.count(keyOf(neighbourName(sender, box), set.number)) > 0;
+  };
+  return std::any_of(boxes.contents.begin(), boxes.contents.end(), [&](const auto& entry) {
+    return has(entry.first) || has(boxes.frame + '/' + entry.first);
+  });
+}
+
+/// What the sender had on a former connection falls silent, also what is static, unless it sends
+/// that again.
+bool NeighbourSets::endStatic(Sender& sender, ros::Time now) {
+  bool is_changed = false;
+  for (const Set& set : sender.sets) {
+    if (set.connection.lock() == sender.connection.lock()) continue;
+    for (const ObjectKey& key : set.keys)
+      is_changed |= objects_.endStatic(key, now);
+  }
   return is_changed;
 }
 
 /// Null if it is not known whose message it is: an empty one of a sender with several sets or none,
 /// or one without a frame that fits several. Other messages may show that two sets are one.
-NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const NeighbourBoxes& boxes,
-                                         bool& is_changed) {
+NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const std::string& name,
+                                         const NeighbourBoxes& boxes, bool& is_changed) {
   std::set<std::string> links = linksOf(boxes);
   const bool is_empty = boxes.contents.empty();
   const bool is_merging = !is_empty && !boxes.frame.empty();
+  // It may be that of the node that served these objects alone until now.
+  const bool is_new = is_merging && isNewRobot(sender, links, boxes.frame);
   std::list<Set>& sets = sender.sets;
   Set* found = nullptr;
   std::size_t count = 0;
   for (auto set = sets.begin(); set != sets.end();) {
-    const bool is_same =
-        is_empty || share(set->links, links) || (set->links.empty() && links.empty());
+    const bool is_same = is_empty || share(set->links, links) ||
+                         (set->links.empty() && links.empty()) ||
+                         (is_new && set->links.empty() && hasOneOf(*set, name, boxes));
     if (!is_same || !canBeSame(set->frame, boxes.frame)) {
       ++set;
       continue;
@@ -68,7 +106,7 @@ NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const NeighbourBoxes& b
     set = sets.erase(set);
   }
   if (is_empty ? count != 1 : !is_merging && count > 1) return nullptr;
-  if (!found) found = &sets.emplace_back(Set{++sets_, "", {}, {}});
+  if (!found) found = &sets.emplace_back(Set{++sets_, "", {}, {}, {}});
   if (!boxes.frame.empty()) found->frame = boxes.frame;
   if (!is_empty) found->links = std::move(links);
   return found;

@@ -29,9 +29,11 @@ using HasLeft = std::function<bool(const std::string& node)>;
 
 /// A sender may be a relay that passes on the boxes of several robots. So a set is what a sender
 /// says in one frame of links of which at least one is the same in each message. Messages without
-/// links are one more set of their sender and frame. An empty message of a sender that was started
-/// again does not end what it had before: it may not know its robot yet. Functions return true if a
-/// box, a stamp or an incomplete name changed.
+/// links are one more set of their sender and frame, which becomes that of a robot whose first
+/// message names one of the same boxes. An empty message of a sender that was started again does
+/// not end what it had before: it may not know its robot yet. Once it has sent boxes, what it does
+/// not send again falls silent, also what is static. Functions return true if a box, a stamp or an
+/// incomplete name changed.
 class NeighbourSets {
  public:
   /// How long after the end of a connection [s] its boxes go, unless a new one brings a message:
@@ -57,10 +59,11 @@ class NeighbourSets {
   struct Set {
     std::uint64_t number;
     std::string frame;
-    std::set<std::string> links;  ///< in the newest message
-    std::set<ObjectKey> keys;     ///< of its objects
-    bool is_fresh = false;        ///< since the last call of removeEnded()
-    std::uint64_t removals = 0;   ///< of all objects, when `keys` were last compared with them
+    std::set<std::string> links;             ///< in the newest message
+    std::set<ObjectKey> keys;                ///< of its objects
+    boost::weak_ptr<const void> connection;  ///< of the newest message
+    bool is_fresh = false;                   ///< since the last call of removeEnded()
+    std::uint64_t removals = 0;  ///< of all objects, when `keys` were last compared with them
   };
 
   struct Sender {
@@ -70,7 +73,12 @@ class NeighbourSets {
     std::optional<ros::SteadyTime> lost_since;
   };
 
-  Set* setOf(Sender& sender, const NeighbourBoxes& boxes, bool& is_changed);
+  static bool isNewRobot(const Sender& sender, const std::set<std::string>& links,
+                         const std::string& frame);
+  static bool hasOneOf(const Set& set, const std::string& sender, const NeighbourBoxes& boxes);
+  bool endStatic(Sender& sender, ros::Time now);
+  Set* setOf(Sender& sender, const std::string& name, const NeighbourBoxes& boxes,
+             bool& is_changed);
   bool replace(Set& set, const std::string& sender, NeighbourBoxes boxes, ros::Time now);
   std::map<ObjectKey, ObjectContent> named(const Set& set, const std::string& sender,
                                            NeighbourBoxes& boxes) const;

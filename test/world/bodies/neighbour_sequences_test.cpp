@@ -23,14 +23,15 @@ struct Thing {
   bool is_static = false;
   bool is_refused_name = false;
   bool stays = false;  ///< it is static; without a box, as all boxes beside it
+  ros::Time heard = {};
+  std::optional<ros::Time> silent_since = {};
 };
 
 struct ModelSet {
   std::string sender, frame;
   std::set<std::string> links;
   std::vector<Thing> things;
-  ros::Time heard;
-  std::optional<ros::Time> silent_since;
+  int start = 0;  ///< of the sender, by which it was last sent
 };
 
 class NeighbourSequencesTest : public NeighboursTest {
@@ -76,19 +77,37 @@ class NeighbourSequencesTest : public NeighboursTest {
     takeMarker(Marker::DELETEALL, {kDrawingsNamespace, 0}, publisher);
   }
 
+  /// A robot has come, and one of the objects that were there without it is named with it.
+  bool isOfNewRobot(const ModelSet& set, const std::set<std::string>& links,
+                    const std::map<std::string, Thing>& things) {
+    if (!set.links.empty() || links.empty()) return false;
+    for (const ModelSet& other : sets_) {
+      if (other.sender != set.sender || other.frame != set.frame) continue;
+      for (const std::string& link : links)
+        if (other.links.count(link) && other.start == starts_[set.sender]) return false;
+    }
+    for (const Thing& thing : set.things)
+      for (const auto& [box, sent] : things)
+        for (const std::string& name : {box, set.frame + "/" + box})
+          if (thing.name == set.sender + "/" + name) return true;
+    return false;
+  }
+
   /// The set that a message belongs to; null if that is unknown.
   ModelSet* setOf(const std::string& sender, const std::string& frame,
-                  const std::set<std::string>& links, bool is_empty) {
+                  const std::set<std::string>& links, const std::map<std::string, Thing>& things) {
+    const bool is_empty = things.empty();
     std::vector<std::list<ModelSet>::iterator> same;
     for (auto set = sets_.begin(); set != sets_.end(); ++set) {
       if (set->sender != sender || set->frame != frame) continue;
-      bool is_same = is_empty || (links.empty() && set->links.empty());
+      bool is_same =
+          is_empty || (links.empty() && set->links.empty()) || isOfNewRobot(*set, links, things);
       for (const std::string& link : links)
         is_same |= set->links.count(link) > 0;
       if (is_same) same.push_back(set);
     }
     if (is_empty && same.size() != 1) return nullptr;
-    if (same.empty()) return &sets_.emplace_back(ModelSet{sender, frame, links, {}, now_, {}});
+    if (same.empty()) return &sets_.emplace_back(ModelSet{sender, frame, links, {}});
     const auto first = same.front();
     if (is_empty) return &*first;
     for (std::size_t i = 1; i < same.size(); ++i)
@@ -129,22 +148,35 @@ class NeighbourSequencesTest : public NeighboursTest {
     for (auto& [box, thing] : things)
       thing.stays = thing.x ? thing.is_static : is_still;
     const bool is_known = !things.empty() || !restarted_.count(sender);
-    ModelSet* const set = is_known ? setOf(sender, frame, links, things.empty()) : nullptr;
+    ModelSet* const set = is_known ? setOf(sender, frame, links, things) : nullptr;
     if (set) fill(*set, things);
-    if (is_known) restarted_.erase(sender);
+    if (is_known && restarted_.erase(sender) > 0) endStatic(sender);
     std::shuffle(array.boxes.begin(), array.boxes.end(), random_);
     left_.erase(sender);
     connections_.try_emplace(sender, boost::make_shared<int>());
     source_.takeNeighbour(array, {sender, connections_[sender]}, now_);
   }
 
+  /// Of what was sent before the last start, nothing stays.
+  void endStatic(const std::string& sender) {
+    for (ModelSet& set : sets_) {
+      if (set.sender != sender || set.start == starts_[sender]) continue;
+      for (Thing& thing : set.things) {
+        if (!thing.stays) continue;
+        thing.stays = thing.is_static = false;
+        thing.heard = now_;
+        thing.silent_since.reset();
+      }
+    }
+  }
+
   /// Things in the order of their names at the sender.
   void fill(ModelSet& set, const std::map<std::string, Thing>& things) {
     set.things.clear();
-    set.heard = now_;
-    set.silent_since.reset();
+    set.start = starts_[set.sender];
     for (const auto& [box, thing] : things) {
       Thing& added = set.things.emplace_back(thing);
+      added.heard = now_;
       const auto isFree = [&](const std::string& name) {
         for (std::size_t i = 0; i + 1 < set.things.size(); ++i)
           if (set.things[i].name == name) return false;
@@ -164,10 +196,12 @@ class NeighbourSequencesTest : public NeighboursTest {
   /// Silent boxes whose time has come.
   void forget(double seconds) {
     for (auto set = sets_.begin(); set != sets_.end();) {
-      const bool is_over = set->silent_since && now_ - *set->silent_since > ros::Duration(seconds);
       std::vector<Thing> rest;
-      for (const Thing& thing : set->things)
+      for (const Thing& thing : set->things) {
+        const auto& silent = thing.silent_since;
+        const bool is_over = silent && now_ - *silent > ros::Duration(seconds);
         if (!is_over || thing.stays) rest.push_back(thing);
+      }
       set->things = rest;
       set = rest.empty() ? sets_.erase(set) : std::next(set);
     }
@@ -179,7 +213,8 @@ class NeighbourSequencesTest : public NeighboursTest {
     for (auto& [name, has_name] : markers_)
       has_name = has_name || !isTaken(name, nullptr);
     for (ModelSet& set : sets_)
-      if (!set.silent_since && now_ - set.heard > ros::Duration(2)) set.silent_since = now_;
+      for (Thing& thing : set.things)
+        if (!thing.silent_since && now_ - thing.heard > ros::Duration(2)) thing.silent_since = now_;
     endSenders(0);
   }
 
@@ -187,6 +222,7 @@ class NeighbourSequencesTest : public NeighboursTest {
     wall_ += ros::WallDuration(seconds);
     source_.removeEndedNeighbours(
         wall_, [this](const std::string& name) { return left_.count(name) > 0; });
+    sets_.remove_if([](const ModelSet& set) { return set.things.empty(); });
   }
 
   void endOne() {
@@ -198,6 +234,7 @@ class NeighbourSequencesTest : public NeighboursTest {
       sets_.remove_if([&](const ModelSet& set) { return set.sender == ended->first; });
     } else {
       restarted_.insert(ended->first);
+      ++starts_[ended->first];
     }
     connections_.erase(ended);
     endSenders(0);
@@ -217,7 +254,7 @@ class NeighbourSequencesTest : public NeighboursTest {
       expected.emplace(name, has_name ? std::optional<int>(0) : std::nullopt, !has_name);
     for (const ModelSet& set : sets_) {
       for (const Thing& thing : set.things) {
-        const bool has_box = thing.x && (!set.silent_since || thing.is_static);
+        const bool has_box = thing.x && (!thing.silent_since || thing.is_static);
         expected.emplace(thing.name, has_box ? thing.x : std::nullopt,
                          !has_box || thing.is_incomplete);
       }
@@ -238,7 +275,8 @@ class NeighbourSequencesTest : public NeighboursTest {
   std::list<ModelSet> sets_;
   std::map<std::string, boost::shared_ptr<int>> connections_;
   std::set<std::string> restarted_;  ///< who has not sent a box since it was started again
-  std::set<std::string> left_;       ///< who has ended in order since it sent
+  std::map<std::string, int> starts_;
+  std::set<std::string> left_;  ///< who has ended in order since it sent
   ros::SteadyTime wall_{1000};
 };
 

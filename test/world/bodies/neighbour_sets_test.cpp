@@ -277,6 +277,55 @@ TEST_F(NeighbourSetsTest, ASenderThatConnectsAgainKeepsItsBoxes) {
   EXPECT_EQ(names(), Names{"/right/bounds/arm"});
 }
 
+// A node that was started again with another robot says nothing of the former one.
+TEST_F(NeighbourSetsTest, StaticBoxesOfBeforeARestartFallSilent) {
+  auto connection = boost::make_shared<int>();
+  const auto still = [](const std::string& name) {
+    return arrayOf("map", {boxAround(name, {0, 0, 0}, 0)}, {name + "_tip"});
+  };
+  takeFrom(connection, still("old"));
+  takeFrom(connection, still("same"));
+  connection = boost::make_shared<int>();
+  takeFrom(connection, boxesOf({}));
+  pass(3);
+  EXPECT_EQ(incomplete(), (Names{"/right/bounds/old_tip", "/right/bounds/same_tip"}));
+  takeFrom(connection, still("new"));
+  takeFrom(connection, still("same"));
+  pass(1.9);
+  EXPECT_TRUE(find("/right/bounds/old")->state.box);
+  EXPECT_TRUE(pass(0.2));
+  EXPECT_FALSE(find("/right/bounds/old")->state.box);
+  EXPECT_TRUE(find("/right/bounds/same")->state.box) << "it was sent again";
+  EXPECT_EQ(incomplete(), (Names{"/right/bounds/old", "/right/bounds/old_tip",
+                                 "/right/bounds/same_tip", "/right/bounds/new_tip"}));
+  pass(18.1);
+  EXPECT_EQ(names(), (Names{"/right/bounds/same", "/right/bounds/same_tip", "/right/bounds/new",
+                            "/right/bounds/new_tip"}));
+}
+
+TEST_F(NeighbourSetsTest, ANodeThatServedObjectsAloneMayGetARobot) {
+  take(boxesOf({"scene/1", "scene/2"}));
+  take(boxesOf({"arm", "scene/2", "scene/3"}));
+  EXPECT_EQ(names(),
+            (Names{"/right/bounds/arm", "/right/bounds/scene/2", "/right/bounds/scene/3"}));
+  take(boxesOf({"scene/3"}));  // of a further node behind the same relay
+  take(boxesOf({"arm", "scene/3"}));
+  EXPECT_EQ(names(),
+            (Names{"/right/bounds/arm", "/right/bounds/scene/3", "/right/bounds/map/scene/3"}))
+      << "the robot is known";
+}
+
+// It serves objects alone first, as before.
+TEST_F(NeighbourSetsTest, ANodeThatIsStartedAgainMayGetItsRobotLater) {
+  auto connection = boost::make_shared<int>();
+  takeFrom(connection, boxesOf({"arm", "scene/1"}));
+  connection = boost::make_shared<int>();
+  takeFrom(connection, boxesOf({"scene/1"}));
+  takeFrom(connection, boxesOf({"arm", "scene/1"}, "map", 5));
+  EXPECT_EQ(names(), (Names{"/right/bounds/arm", "/right/bounds/scene/1"}));
+  EXPECT_NEAR(find("/right/bounds/scene/1")->state.box->max().x(), 6, kTolerance);
+}
+
 TEST_F(NeighbourSetsTest, ASilentSenderIsForgottenAfterTenTimesTheTimeout) {
   take(
       arrayOf("map", {boxAround("arm", {0, 0, 0}, 99), boxAround("base", {0, 0, 0}, 0)}, {"hand"}));
