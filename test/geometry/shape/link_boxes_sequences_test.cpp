@@ -75,8 +75,10 @@ Eigen::Affine3d nextPose(const Eigen::Affine3d& pose, const Eigen::Affine3d& fir
   }
 }
 
+/// False of boxes that are not finite, because there must be none.
 bool isSame(const std::optional<Aabb>& a, const std::optional<Aabb>& b) {
   if (!a || !b) return !a && !b;
+  if (!a->min().allFinite() || !a->max().allFinite()) return false;
   return std::memcmp(a->min().data(), b->min().data(), sizeof(double[3])) == 0 &&
          std::memcmp(a->max().data(), b->max().data(), sizeof(double[3])) == 0;
 }

@@ -55,16 +55,6 @@ TEST(Containment, RandomMeshesUnderShearAndMirror) {
   }
 }
 
-TEST(Containment, VerticesAKilometreFromTheMeshOrigin) {
-  brute_force::Random random(3);
-  for (int i = 0; i < kMeshes; ++i) {
-    const Eigen::Vector3d far_away = 1e3 * random.vector(1).normalized();
-    const Mesh mesh = random.points(50, random.magnitude(-3, 0), far_away);
-    for (int j = 0; j < kPosesPerMesh; ++j)
-      expectContainment(mesh, random.rigid(1));
-  }
-}
-
 TEST(Containment, TranslationsUpToAThousandKilometres) {
   brute_force::Random random(4);
   for (int i = 0; i < kMeshes; ++i) {
@@ -76,14 +66,14 @@ TEST(Containment, TranslationsUpToAThousandKilometres) {
 }
 
 TEST(Containment, FarVerticesFarAway) {
-  // 1e3 m from the mesh's origin, and the mesh up to 1e6 m from the world's.
+  // 1e3 m from the mesh's origin, and the mesh 1e-3 to 1e6 m from the world's.
   brute_force::Random random(11);
   for (int i = 0; i < kMeshes; ++i) {
     const Eigen::Vector3d far_away = 1e3 * random.vector(1).normalized();
     const Mesh mesh = random.points(200, random.magnitude(-3, 2), far_away);
     for (int j = 0; j < kPosesPerMesh; ++j) {
-      expectContainment(mesh, random.rigid(random.magnitude(0, 6)));
-      expectContainment(mesh, random.affine(random.magnitude(0, 6)));
+      expectContainment(mesh, random.rigid(random.magnitude(-3, 6)));
+      expectContainment(mesh, random.affine(random.magnitude(-3, 6)));
     }
   }
 }

@@ -108,20 +108,6 @@ TEST(ShapeExtents, OppositeQuaternionsAreTheSameRotation) {
   }
 }
 
-TEST(ShapeExtents, AnyOrderOfPosesGivesTheSameBoxes) {
-  const Shape shape = meshShape(5);
-  brute_force::Random random(5);
-  std::vector<Eigen::Affine3d> poses{Eigen::Affine3d::Identity()};
-  for (int i = 0; i < 6; ++i) {
-    poses.push_back(random.affine(1));
-    poses.push_back(poses.back());
-    poses.back().linear().row(i % 3) = poses.front().linear().row(i % 3);
-  }
-  ShapeExtents known(shape);
-  for (int i = 0; i < 3000; ++i)
-    expectSame(shape, poses[static_cast<std::size_t>(random.uniform(0, 13))], known);
-}
-
 TEST(ShapeExtents, AnUnusablePoseInBetweenLeavesNoTrace) {
   const Shape shape = meshShape(6);
   ShapeExtents known(shape);
@@ -147,53 +133,6 @@ void expectBox(const LinkBoxes& boxes, std::size_t i, const BoundedLink& link,
   if (!fresh) return;
   EXPECT_EQ(boxes.box(i)->min(), fresh->min());
   EXPECT_EQ(boxes.box(i)->max(), fresh->max());
-}
-
-// The first mesh has no box where a face is infinite, so the second one is not placed there at all.
-TEST(LinkBoxes, AnInfiniteTranslationInBetweenLeavesNoTrace) {
-  const BoundedLink link{"l", {meshShape(9), meshShape(10)}, 0, ""};
-  LinkBoxes boxes({link});
-  const Eigen::Affine3d near(turned(30, {1, 0, 1}));
-  Eigen::Affine3d far(turned(70, {1, 2, 3}));
-  far.translation().x() = HUGE_VAL;
-  for (const Eigen::Affine3d& pose : {near, far, near}) {
-    boxes.update({{0, &pose}});
-    expectBox(boxes, 0, link, pose);
-  }
-}
-
-TEST(LinkBoxes, EachShapeHasExtentsOfItsOwn) {
-  const BoundedLink link{"l", {meshShape(7), meshShape(8, Solid::kBox)}, 0.1, ""};
-  LinkBoxes boxes({link});
-  brute_force::Random random(7);
-  for (int i = 0; i < 100; ++i) {
-    Eigen::Affine3d pose = random.rigid(1);
-    for (int j = 0; j < 3; ++j) {
-      boxes.update(0, pose);
-      expectBox(boxes, 0, link, pose);
-      pose.pretranslate(random.vector(1));
-    }
-  }
-}
-
-// Many at once, then one alone, in poses that turn fully, about one axis, or not at all.
-TEST(LinkBoxes, ManyAtOnceAreThoseOneByOne) {
-  const BoundedLink first{"first", {meshShape(5), meshShape(6, Solid::kBox)}, 0, ""};
-  const BoundedLink second{"second", {meshShape(7)}, 0.1, ""};
-  LinkBoxes boxes({first, second});
-  brute_force::Random random(8);
-  for (int i = 0; i < 60; ++i) {
-    Eigen::Affine3d pose(random.rigid(1));
-    if (i % 3 == 1) pose.linear().setIdentity();
-    if (i % 3 == 2) pose.linear() = turned(30, {0, 0, 1});
-    boxes.update({{0, &pose}, {1, &pose}});
-    expectBox(boxes, 0, first, pose);
-    expectBox(boxes, 1, second, pose);
-    const Eigen::Affine3d other(random.rigid(1));
-    boxes.update(1, other);
-    expectBox(boxes, 0, first, pose);
-    expectBox(boxes, 1, second, other);
-  }
 }
 
 TEST(LinkBoxes, ThereIsNoBoxBeforeTheFirstPose) {
