@@ -19,14 +19,8 @@ std::string faultAt(const BoundedLink& link, const Points& points,
   if (!box) return "there is no box";
   if (!box->min().allFinite() || !box->max().allFinite()) return "the box is not finite";
   const Eigen::Affine3d world_from_shape = world_from_link * link.shapes[0].link_from_shape;
-  const QuadBox exact = exactBox(points, world_from_shape);
-  if (!contains(*box, exact)) return "a vertex is outside of the box";
-  for (int k = 0; k < 3; ++k) {
-    if (excess(*box, exact, k) >
-        allowedExcess(world_from_shape, k, largestCoordinate(points)) + kExcessOfUnderflow) {
-      return "the box is larger than its pad explains";
-    }
-  }
+  const std::string fault = faultOf(*box, points, world_from_shape, kExcessOfUnderflow);
+  if (!fault.empty()) return fault;
   const bool is_exact =
       compare(points, *link.shapes[0].points, world_from_shape.linear()).wrong == 0;
   return is_exact ? "" : "the extents are not those of a loop over the vertices";

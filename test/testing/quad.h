@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "link_bounds/geometry/box/aabb.h"
@@ -97,6 +98,20 @@ inline double allowedExcess(const Eigen::Affine3d& pose, int axis, double reach)
   constexpr double kPerTranslation = 2e-15;  // of |t|
   return kPerReach * reach * pose.linear().row(axis).lpNorm<1>() +
          kPerTranslation * std::abs(pose.translation()[axis]);
+}
+
+/// Why worldBox() must not give this box of the points; "" if it may. `slack` [m] is admitted
+/// beyond allowedExcess().
+template <class Point>
+std::string faultOf(const Aabb& box, const std::vector<Point>& points, const Eigen::Affine3d& pose,
+                    double slack = 0) {
+  const QuadBox exact = exactBox(points, pose);
+  if (!contains(box, exact)) return "a vertex is outside of the box";
+  for (int k = 0; k < 3; ++k) {
+    const double allowed = allowedExcess(pose, k, largestCoordinate(points)) + slack;
+    if (!(excess(box, exact, k) <= allowed)) return "the box is larger than its pad explains";
+  }
+  return "";
 }
 
 }  // namespace link_bounds

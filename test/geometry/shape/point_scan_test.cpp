@@ -54,12 +54,7 @@ void expectContainment(const Points& points, const std::shared_ptr<const PointSe
   const auto box =
       worldBox({set, Solid::kNone, Eigen::Vector3d::Zero(), pose}, Eigen::Affine3d::Identity());
   ASSERT_TRUE(box);
-  const QuadBox exact = exactBox(points, pose);
-  ASSERT_TRUE(contains(*box, exact)) << pose.matrix();
-  for (int k = 0; k < 3; ++k) {
-    ASSERT_LE(excess(*box, exact, k),
-              allowedExcess(pose, k, largestCoordinate(points)) + kUnderflow);
-  }
+  ASSERT_EQ(faultOf(*box, points, pose, kUnderflow), "") << pose.matrix();
 }
 
 void expectContainment(const Points& points, brute_force::Random& random) {
