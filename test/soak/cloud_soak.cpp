@@ -19,6 +19,7 @@
 
 #include "joint_motion.h"
 #include "soak_program.h"
+#include "testing/process_census.h"
 
 namespace link_bounds {
 namespace {
@@ -185,7 +186,7 @@ class CloudSoak {
             std::max(next_cloud + 1 / kCloudRate, now);  // as cameras, which catch up nothing
       }
       if (now >= kMinute * (minutes + 1)) {
-        const double memory = residentBytes(arguments.pid);
+        const auto memory = static_cast<double>(residentBytes(arguments.pid));
         if (first == 0) first = memory;
         largest = std::max(largest, memory);
         std::printf("%3.0f s: %d clouds sent, %d came back, %.1f MB\n", now, sent_ - sent_before,

@@ -14,6 +14,7 @@
 #include "soak_objects.h"
 #include "soak_program.h"
 #include "soak_sender.h"
+#include "testing/process_census.h"
 
 namespace link_bounds {
 namespace {
@@ -94,7 +95,7 @@ Growth runFor(int minutes, int pid, const SoakSender& sender, const SoakObjects&
   int reloads = 0;
   for (int minute = 1; minute <= minutes; ++minute) {
     reloads += reloadUntil(start + kMinute * minute, next_reload);
-    resident = residentBytes(pid);
+    resident = static_cast<double>(residentBytes(pid));
     if (minute == 1) first = resident;
     growth = {minute - 1, resident - first, std::max(growth.largest, resident - first)};
     std::printf(

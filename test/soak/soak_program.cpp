@@ -4,34 +4,23 @@
 
 #include <ros/ros.h>
 
+#include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
+
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
 
-const ros::WallDuration kPoll(0.01);
-const ros::WallDuration kTimeout(60);
+constexpr std::chrono::seconds kTimeout(60);
 
 }  // namespace
 
-double residentBytes(int pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/status");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("VmRSS:", 0) == 0) return std::atof(line.c_str() + 6) * 1024;
-  }
-  throw std::runtime_error("the node is gone");
-}
-
 void waitFor(const std::function<bool()>& condition, const char* what) {
-  const ros::SteadyTime end = ros::SteadyTime::now() + kTimeout;
-  while (!condition()) {
-    if (!ros::ok() || ros::SteadyTime::now() > end)
-      throw std::runtime_error(std::string("waited in vain until ") + what);
-    kPoll.sleep();
-  }
+  if (!becomesTrue(condition, kTimeout, [] { return !ros::ok(); }))
+    throw std::runtime_error(std::string("waited in vain until ") + what);
 }
 
 Robot describedRobot(const ros::NodeHandle& node) {

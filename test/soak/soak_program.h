@@ -22,9 +22,6 @@ struct SoakArguments {
 constexpr const char* kNoGrowth =
     "memory was not compared, because it counts from the end of the first minute";
 
-/// Memory of a process in use [bytes]. Throws std::runtime_error if the process has ended.
-double residentBytes(int pid);
-
 /// Throws std::runtime_error if that takes longer than a minute.
 void waitFor(const std::function<bool()>& condition, const char* what);
 

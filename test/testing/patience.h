@@ -23,12 +23,18 @@ inline std::chrono::steady_clock::duration deadline() {
       std::chrono::duration<double>(60 * patience()));
 }
 
-/// Looks again and again until the deadline.
-template <class Condition>
-bool becomesTrue(const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + deadline();
+inline bool isNeverHopeless() {
+  return false;
+}
+
+/// Checks `condition` every millisecond. Gives up after `limit`, or when `is_hopeless` returns
+/// true.
+template <class Condition, class IsHopeless = bool (*)()>
+bool becomesTrue(const Condition& condition, std::chrono::duration<double> limit = deadline(),
+                 const IsHopeless& is_hopeless = isNeverHopeless) {
+  const auto begin = std::chrono::steady_clock::now();
   while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
+    if (is_hopeless() || std::chrono::steady_clock::now() - begin > limit) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return true;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What this process holds: children, descriptors, memory.
+// What a process holds: children, descriptors, memory.
 #pragma once
 
 #include <sys/wait.h>
@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 namespace link_bounds {
@@ -33,11 +34,12 @@ inline long openDescriptors() {
   return std::distance(begin(entries), end(entries));
 }
 
-/// In RAM.
-inline long residentBytes() {
+/// In RAM. Throws if the process has ended.
+inline long residentBytes(pid_t process = getpid()) {
   long total_pages = 0;
   long resident_pages = 0;
-  std::ifstream("/proc/self/statm") >> total_pages >> resident_pages;
+  std::ifstream("/proc/" + std::to_string(process) + "/statm") >> total_pages >> resident_pages;
+  if (resident_pages == 0) throw std::runtime_error("the process has ended");
   return resident_pages * sysconf(_SC_PAGESIZE);
 }
 

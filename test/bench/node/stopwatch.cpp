@@ -19,6 +19,7 @@
 #include "bench/common/result.h"
 #include "bench/common/tf_robot.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
+#include "testing/patience.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -84,16 +85,6 @@ double cpuSeconds(pid_t pid) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
 }
 
-template <class Condition>
-bool waitFor(const Condition& condition) {
-  const auto end = Clock::now() + kPatience;
-  while (!condition()) {
-    if (Clock::now() > end || !ros::ok()) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
-}
-
 /// Until all messages are answered, or no further answer comes.
 void awaitAnswers(const Times& times, std::size_t count) {
   std::size_t answers = 0;
@@ -128,9 +119,11 @@ class Stopwatch {
   void run() {
     ros::AsyncSpinner spinner(1);
     spinner.start();
-    const bool is_connected = waitFor([this] {
-      return publisher_.getNumSubscribers() == 1 && subscriber_.getNumPublishers() == 1;
-    });
+    const bool is_connected = becomesTrue(
+        [this] {
+          return publisher_.getNumSubscribers() == 1 && subscriber_.getNumPublishers() == 1;
+        },
+        kPatience, [] { return !ros::ok(); });
     if (!is_connected) throw std::runtime_error("no connection with " + task_.name_space);
     double cpu = 0;
     auto due = Clock::now();

@@ -19,6 +19,7 @@
 #include "node/load/ages.h"
 #include "node/load/boxes_stamp.h"
 #include "node/load/swinging_links.h"
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
@@ -26,17 +27,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kPatience(30);  // for connections, and for the last answer
-constexpr std::chrono::milliseconds kPoll(5);
 constexpr std::uint32_t kUnlimited = 0;
 constexpr double kPhasePerMessage = 0.01;  // rad
 
 bool waitFor(const std::function<bool()>& condition) {
-  const auto end = Clock::now() + kPatience;
-  while (!condition()) {
-    if (!ros::ok() || Clock::now() > end) return false;
-    std::this_thread::sleep_for(kPoll);
-  }
-  return true;
+  return becomesTrue(condition, kPatience, [] { return !ros::ok(); });
 }
 
 struct Task {

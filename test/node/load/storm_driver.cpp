@@ -26,6 +26,7 @@
 #include "node/load/storm_scene.h"
 #include "node/load/storm_sender.h"
 #include "testing/patience.h"
+#include "testing/process_census.h"
 #include "testing/repeated.h"
 
 namespace link_bounds {
@@ -56,19 +57,8 @@ struct Task {
 };
 
 void waitFor(const std::function<bool()>& condition, const std::string& what) {
-  const auto end = Clock::now() + kPatience;
-  while (!condition()) {
-    if (!ros::ok() || Clock::now() > end) throw std::runtime_error("waited in vain until " + what);
-    std::this_thread::sleep_for(kPoll);
-  }
-}
-
-double residentMegabytes(int pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/status");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("VmRSS:", 0) == 0) return std::stod(line.substr(6)) * 1024 / 1e6;
-  }
-  throw std::runtime_error("the node is gone");
+  if (!becomesTrue(condition, kPatience, [] { return !ros::ok(); }))
+    throw std::runtime_error("waited in vain until " + what);
 }
 
 /// What the node showed during the storm.
@@ -160,7 +150,7 @@ class Storm {
     csv << "seconds,age_ms,resident_mb\n";
     const auto start = Clock::now();
     for (auto due = start; due < start + task_.length && ros::ok();) {
-      const double resident = residentMegabytes(task_.pid);
+      const double resident = static_cast<double>(residentBytes(task_.pid)) / 1e6;
       seen_.resident_mb = std::max(seen_.resident_mb, resident);
       seen_.silence_s =
           std::max(seen_.silence_s, Seconds(Clock::now() - diagnosed_.load()).count());
