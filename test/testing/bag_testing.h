@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "testing/message_bytes.h"
 #include "tools/bag_bounds/bag/bag_reader.h"
 #include "tools/bag_bounds/bag/bag_writer.h"
 #include "tools/bag_bounds/bag/records/record_bytes.h"
@@ -36,11 +37,8 @@ inline bool operator==(const RecordedMessage& a, const RecordedMessage& b) {
 /// A message of ROS, recorded at `time` [ns].
 template <class Message>
 RecordedMessage recorded(const std::string& topic, std::int64_t time, const Message& message) {
-  std::string data(ros::serialization::serializationLength(message), '\0');
-  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(&data[0]),
-                                     static_cast<std::uint32_t>(data.size()));
-  ros::serialization::serialize(stream, message);
-  return {topic, time, data, ros::message_traits::datatype(message)};
+  const std::vector<std::uint8_t> bytes = messageBytes(message);
+  return {topic, time, {bytes.begin(), bytes.end()}, ros::message_traits::datatype(message)};
 }
 
 /// The number of a message's connection: one for each topic with its publisher.

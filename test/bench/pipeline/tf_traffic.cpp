@@ -5,19 +5,14 @@
 
 #include <cstring>
 
+#include "testing/message_bytes.h"
+
 namespace link_bounds::bench {
 namespace {
 
 const ros::Duration kBetweenMessages(0.001);
 constexpr std::size_t kWord = sizeof(std::uint32_t);
 constexpr std::size_t kNumbers = 7 * sizeof(double);
-
-Bytes bytesOf(const tf2_msgs::TFMessage& message) {
-  Bytes bytes(ros::serialization::serializationLength(message));
-  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(stream, message);
-  return bytes;
-}
 
 std::vector<std::size_t> stampOffsets(const tf2_msgs::TFMessage& message) {
   std::vector<std::size_t> offsets;
@@ -35,7 +30,7 @@ std::vector<std::size_t> stampOffsets(const tf2_msgs::TFMessage& message) {
 TfTraffic::TfTraffic(const TfRobot& robot, bool moves) : stamps_(kMessages) {
   const std::vector<tf2_msgs::TFMessage> messages = swing(robot, kMessages);
   for (std::size_t i = 0; i < kMessages; ++i)
-    bytes_.push_back(bytesOf(messages[moves ? i : 0]));
+    bytes_.push_back(messageBytes(messages[moves ? i : 0]));
   stamp_offsets_ = stampOffsets(messages.front());
 }
 

@@ -11,6 +11,7 @@
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/GetBoxes.h"
 #include "node/inputs/incomplete_messages.h"
+#include "testing/message_bytes.h"
 #include "testing/replaced_new.h"
 #include "testing/sanitized.h"
 
@@ -23,14 +24,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// An empty text of 4 bytes becomes a string of 32.
 constexpr std::size_t kMaxGrowth = 8;
-
-template <class Message>
-Bytes bytesOf(const Message& message) {
-  Bytes bytes(ros::serialization::serializationLength(message));
-  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(stream, message);
-  return bytes;
-}
 
 /// As roscpp does.
 template <class Message>
@@ -113,9 +106,9 @@ bool isReadByRoscpp(Bytes bytes) {
 TEST(Received, IsReadAsRoscppReadsIt) {
   forEachType([](const auto& sent) {
     using Message = std::decay_t<decltype(sent)>;
-    const Received<Message> message = received<Message>(bytesOf(sent));
+    const Received<Message> message = received<Message>(messageBytes(sent));
     EXPECT_TRUE(message.is_complete);
-    EXPECT_EQ(bytesOf<Message>(message), bytesOf(sent));
+    EXPECT_EQ(messageBytes<Message>(message), messageBytes(sent));
   });
 }
 
@@ -132,11 +125,11 @@ TEST(Received, ItsTypeIsThatOfTheMessage) {
 TEST(Received, CutOffAnywhereIsIncompleteAndEmpty) {
   forEachType([](const auto& sent) {
     using Message = std::decay_t<decltype(sent)>;
-    for (Bytes bytes = bytesOf(sent); !bytes.empty();) {
+    for (Bytes bytes = messageBytes(sent); !bytes.empty();) {
       bytes.pop_back();
       const Received<Message> message = received<Message>(bytes);
       ASSERT_FALSE(message.is_complete) << bytes.size();
-      EXPECT_EQ(bytesOf<Message>(message), bytesOf(Message()));
+      EXPECT_EQ(messageBytes<Message>(message), messageBytes(Message()));
     }
   });
 }
@@ -146,7 +139,7 @@ TEST(Received, LyingLengthsTakeNoMemory) {
   for (const std::uint8_t high : Bytes{0x01, 0x7f, 0xff}) {
     forEachType([high](const auto& sent) {
       using Message = std::decay_t<decltype(sent)>;
-      const Bytes good = bytesOf(sent);
+      const Bytes good = messageBytes(sent);
       int refused = 0;
       for (std::size_t i = 0; i + 4 <= good.size(); ++i) {
         Bytes bytes = good;
@@ -168,14 +161,14 @@ TEST(Received, FiftyMillionNamesIn24BytesAreRefused) {
 TEST(Received, ManyEmptyElementsAreRead) {
   GetBoxes::Request names;
   names.names.resize(10000);
-  EXPECT_TRUE(isReadWithinBounds<GetBoxes::Request>(bytesOf(names)));
+  EXPECT_TRUE(isReadWithinBounds<GetBoxes::Request>(messageBytes(names)));
   MarkerArray array;
   array.markers.resize(1000);
-  EXPECT_TRUE(isReadWithinBounds<MarkerArray>(bytesOf(array)));
+  EXPECT_TRUE(isReadWithinBounds<MarkerArray>(messageBytes(array)));
   AxisAlignedBoxArray boxes;
   boxes.boxes.resize(1000);
   boxes.incomplete.resize(10000);
-  EXPECT_TRUE(isReadWithinBounds<AxisAlignedBoxArray>(bytesOf(boxes)));
+  EXPECT_TRUE(isReadWithinBounds<AxisAlignedBoxArray>(messageBytes(boxes)));
 }
 
 /// Random bytes, and good messages with some of them changed.
@@ -189,7 +182,7 @@ TEST(Received, RandomBytesTakeNoMemory) {
   for (int round = 0; round < repetitions(20000); ++round) {
     forEachType([&](const auto& sent) {
       using Message = std::decay_t<decltype(sent)>;
-      Bytes bytes = round % 2 == 0 ? bytesOf(sent) : Bytes(below(400));
+      Bytes bytes = round % 2 == 0 ? messageBytes(sent) : Bytes(below(400));
       for (std::size_t i = round % 2 == 0 ? below(4) : bytes.size(); i > 0; --i)
         bytes[below(bytes.size())] = random_byte();
       const bool is_complete = isReadWithinBounds<Message>(bytes);

@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <deque>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "testing/brute_force.h"
+#include "testing/message_bytes.h"
 #include "world/tf/clock_watch.h"
 
 namespace link_bounds {
@@ -39,11 +39,8 @@ class Recording {
       tf2_msgs::TFMessage message;
       message.transforms.resize(1);
       message.transforms[0].child_frame_id = std::to_string(i % 2);
-      std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
-      ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-      ros::serialization::serialize(stream, message);
-      publishers_.push_back({i < 2 ? "/tf" : "/other_tf", i < 4 ? "/a" : "/b", std::move(bytes),
-                             random_.uniform(0.02, kMaxPeriod)});
+      publishers_.push_back({i < 2 ? "/tf" : "/other_tf", i < 4 ? "/a" : "/b",
+                             messageBytes(message), random_.uniform(0.02, kMaxPeriod)});
     }
   }
 

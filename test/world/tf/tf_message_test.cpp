@@ -6,19 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "testing/live_boxes_testing.h"
+#include "testing/message_bytes.h"
 
 namespace link_bounds {
 namespace {
 
 const Eigen::Quaterniond kMessageTurn(Eigen::AngleAxisd(M_PI / 4,
                                                         Eigen::Vector3d(1, 2, 3).normalized()));
-
-std::vector<std::uint8_t> bytesOf(const tf2_msgs::TFMessage& message) {
-  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
-  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(stream, message);
-  return bytes;
-}
 
 void read(const std::vector<std::uint8_t>& bytes, TfMessage& message) {
   message.read(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
@@ -35,7 +29,7 @@ tf2_msgs::TFMessage threeTransforms() {
 TEST(TfMessage, IsReadAsRoscppReadsIt) {
   const tf2_msgs::TFMessage sent = threeTransforms();
   TfMessage message;
-  read(bytesOf(sent), message);
+  read(messageBytes(sent), message);
   ASSERT_EQ(message.transforms.size(), sent.transforms.size());
   for (std::size_t i = 0; i < sent.transforms.size(); ++i) {
     const TransformView expected(sent.transforms[i]);
@@ -50,15 +44,15 @@ TEST(TfMessage, IsReadAsRoscppReadsIt) {
 
 TEST(TfMessage, ShorterOnesLeaveNothingOfLongerOnes) {
   TfMessage message;
-  read(bytesOf(threeTransforms()), message);
-  read(bytesOf(tf2_msgs::TFMessage()), message);
+  read(messageBytes(threeTransforms()), message);
+  read(messageBytes(tf2_msgs::TFMessage()), message);
   EXPECT_TRUE(message.transforms.empty());
 }
 
 TEST(TfMessage, CutOffAnywhereIsAnError) {
   tf2_msgs::TFMessage sent = threeTransforms();
   sent.transforms.pop_back();
-  std::vector<std::uint8_t> bytes = bytesOf(sent);
+  std::vector<std::uint8_t> bytes = messageBytes(sent);
   TfMessage message;
   while (!bytes.empty()) {
     bytes.pop_back();
@@ -69,7 +63,7 @@ TEST(TfMessage, CutOffAnywhereIsAnError) {
 TEST(TfMessage, LyingCountsAndLengthsAreErrors) {
   TfMessage message;
   EXPECT_THROW(read({255, 255, 255, 255}, message), ros::serialization::StreamOverrunException);
-  std::vector<std::uint8_t> bytes = bytesOf(threeTransforms());
+  std::vector<std::uint8_t> bytes = messageBytes(threeTransforms());
   std::fill(bytes.begin() + 16, bytes.begin() + 20, 255);  // the length of the first frame_id
   EXPECT_THROW(read(bytes, message), ros::serialization::StreamOverrunException);
 }
@@ -82,7 +76,7 @@ tf2_msgs::TFMessage manyTransforms(std::size_t count) {
 
 TEST(TfMessageMemory, IsUsedAgainUnlessSomebodyHoldsIt) {
   TfMessageMemory memory;
-  read(bytesOf(manyTransforms(1000)), *memory.lend());
+  read(messageBytes(manyTransforms(1000)), *memory.lend());
   memory.giveBack();
   const auto first = memory.lend();
   EXPECT_GT(first->capacity(), 1000 * sizeof(TransformView));
@@ -91,23 +85,23 @@ TEST(TfMessageMemory, IsUsedAgainUnlessSomebodyHoldsIt) {
 
 TEST(TfMessageMemory, WhatIsSkippedHasNoTransforms) {
   TfMessageMemory memory;
-  read(bytesOf(threeTransforms()), *memory.lend());
+  read(messageBytes(threeTransforms()), *memory.lend());
   memory.skip(true);
   const auto skipped = memory.lend();
-  read(bytesOf(threeTransforms()), *skipped);
+  read(messageBytes(threeTransforms()), *skipped);
   EXPECT_TRUE(skipped->is_skipped);
   EXPECT_TRUE(skipped->transforms.empty());
   EXPECT_NO_THROW(read({255, 255, 255, 255}, *skipped)) << "it is not looked at";
   memory.skip(false);
   const auto next = memory.lend();
-  read(bytesOf(threeTransforms()), *next);
+  read(messageBytes(threeTransforms()), *next);
   EXPECT_FALSE(next->is_skipped);
   EXPECT_EQ(next->transforms.size(), 3u);
 }
 
 TEST(TfMessageMemory, OfALargeMessageIsGivenBack) {
   TfMessageMemory memory;
-  read(bytesOf(manyTransforms(300000)), *memory.lend());
+  read(messageBytes(manyTransforms(300000)), *memory.lend());
   EXPECT_GT(memory.lend()->capacity(), 50000000u);
   memory.giveBack();
   EXPECT_EQ(memory.lend()->capacity(), 0u);
