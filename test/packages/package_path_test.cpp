@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include "testing/refusal.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -118,15 +119,10 @@ TEST_F(PackagePathTest, ItIsNamedWhereAPackageIsMissed) {
   write("second/zzz", "prose");
   const PackagePath packages = rosPackages();
   for (int i = 0; i < 2; ++i) {
-    try {
-      packages("broken");
-      ADD_FAILURE() << "found";
-    } catch (const MeshError& error) {
-      const std::string reason = error.what();
-      EXPECT_NE(reason.find("there is no package \"broken\""), std::string::npos) << reason;
-      EXPECT_NE(reason.find(folder_ / "first/broken/package.xml"), std::string::npos) << reason;
-      EXPECT_NE(reason.find("repair"), std::string::npos) << reason;
-    }
+    const std::string reason = refusalOf<MeshError>([&] { packages("broken"); });
+    EXPECT_NE(reason.find("there is no package \"broken\""), std::string::npos) << reason;
+    EXPECT_NE(reason.find(folder_ / "first/broken/package.xml"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("repair"), std::string::npos) << reason;
   }
 }
 

@@ -6,6 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "testing/refusal.h"
+
 namespace link_bounds {
 namespace {
 
@@ -16,12 +22,7 @@ CommandLine read(std::vector<const char*> arguments) {
 
 /// "" if the arguments are accepted.
 std::string refusal(const std::vector<const char*>& arguments) {
-  try {
-    read(arguments);
-    return "";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
+  return refusalOf<std::exception>([&] { read(arguments); });
 }
 
 bool contains(const std::string& text, const std::string& part) {

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
+#include "testing/refusal.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -25,12 +26,7 @@ class MeshUriRefusals : public testing::Test {
     const auto package_path = [this](const std::string& package) {
       return package == "arm" ? folder_ / "arm" : std::string();
     };
-    try {
-      resolveMeshUri(uri, package_path);
-      return "";
-    } catch (const MeshError& error) {
-      return error.what();
-    }
+    return refusalOf<MeshError>([&] { resolveMeshUri(uri, package_path); });
   }
 
   void expectRefused(const std::string& uri, const std::string& reason) const {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "testing/refusal.h"
+
 namespace link_bounds {
 namespace {
 
@@ -18,12 +20,7 @@ Robot robot() {
 
 /// The error, or "" if there is none.
 std::string errorOf(const std::string& text) {
-  try {
-    parseSrdf(text, robot(), "r.srdf");
-  } catch (const SrdfError& error) {
-    return error.what();
-  }
-  return "";
+  return refusalOf<SrdfError>([&] { parseSrdf(text, robot(), "r.srdf"); });
 }
 
 void expectError(const std::string& text, const std::string& words) {

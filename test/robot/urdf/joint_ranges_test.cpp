@@ -9,6 +9,7 @@
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "testing/numbers.h"
+#include "testing/refusal.h"
 
 namespace link_bounds {
 namespace {
@@ -59,12 +60,8 @@ void expectRange(const JointRange& range, double lower, double upper) {
 }
 
 void expectRefused(const Robot& robot, const std::string& text, const GivenRanges& given = {}) {
-  try {
-    jointRanges(robot, given);
-    ADD_FAILURE() << "accepted, not refused: " << text;
-  } catch (const JointError& error) {
-    EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-  }
+  const std::string reason = refusalOf<JointError>([&] { jointRanges(robot, given); });
+  EXPECT_NE(reason.find(text), std::string::npos) << "\"" << reason << "\", not " << text;
 }
 
 TEST(JointRanges, AreTheLimits) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "link_bounds/robot/urdf/robot.h"
+#include "testing/refusal.h"
 
 namespace link_bounds {
 namespace {
@@ -33,12 +34,7 @@ std::string robotOfText(const std::string& content) {
 
 /// The error's text; "" if the description was accepted.
 std::string refusal(const std::string& urdf) {
-  try {
-    parseRobot(urdf);
-    return "";
-  } catch (const RobotError& error) {
-    return error.what();
-  }
+  return refusalOf<RobotError>([&] { parseRobot(urdf); });
 }
 
 void expectRefused(const std::string& urdf, const std::string& reason) {

@@ -9,6 +9,7 @@
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/urdf/joint_ranges.h"
+#include "testing/refusal.h"
 
 namespace link_bounds {
 namespace {
@@ -118,14 +119,9 @@ TEST(SimpleJoints, NoJointMimicsSeveralValues) {
       parsed(link("a") + link("b") + link("c") + jointOfType("p", "planar", "a", "b") +
              jointOfType("q", "continuous", "b", "c", "<mimic joint='p'/>"));
   EXPECT_TRUE(robot.warnings.empty());
-  try {
-    leadsOf(withSimpleJoints(robot));
-    FAIL() << "not refused";
-  } catch (const JointError& error) {
-    EXPECT_STREQ(error.what(),
-                 "joint \"q\" mimics \"p\", which has more than one value; let it "
-                 "mimic a joint with one value");
-  }
+  EXPECT_EQ(refusalOf<JointError>([&] { leadsOf(withSimpleJoints(robot)); }),
+            "joint \"q\" mimics \"p\", which has more than one value; let it "
+            "mimic a joint with one value");
 }
 
 TEST(SimpleJoints, AMimicElementOfSeveralValuesCausesAWarning) {

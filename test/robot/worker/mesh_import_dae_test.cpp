@@ -7,6 +7,7 @@
 #include "testing/brute_force.h"
 #include "testing/mesh_texts.h"
 #include "testing/numbers.h"
+#include "testing/refusal.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -213,12 +214,9 @@ std::string daeWith(const std::string& from, const std::string& to) {
 
 void expectRefusedDae(const std::string& text, const std::string& reason,
                       const std::string& name = "a.dae") {
-  try {
-    importDae(text, name);
-    ADD_FAILURE() << name << " was accepted, not " << reason;
-  } catch (const MeshError& error) {
-    EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
-  }
+  const std::string actual = refusalOf<MeshError>([&] { importDae(text, name); });
+  EXPECT_NE(actual.find(reason), std::string::npos)
+      << name << ": \"" << actual << "\", not " << reason;
 }
 
 TEST(ImportDae, WhatIsNoNumberToItsEndIsRefused) {

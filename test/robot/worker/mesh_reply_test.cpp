@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "testing/mesh_texts.h"
+#include "testing/refusal.h"
 
 namespace link_bounds {
 namespace {
@@ -61,12 +62,8 @@ TriangleMesh read(const std::string& reply, std::uint64_t max_bytes = kMaxBytes)
 
 void expectBroken(const std::string& reply, const std::string& words,
                   std::uint64_t max_bytes = kMaxBytes) {
-  try {
-    read(reply, max_bytes);
-    ADD_FAILURE() << "not refused: " << words;
-  } catch (const ReplyError& error) {
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
+  const std::string reason = refusalOf<ReplyError>([&] { read(reply, max_bytes); });
+  EXPECT_NE(reason.find(words), std::string::npos) << "\"" << reason << "\", not " << words;
 }
 
 std::string reasonIn(const std::string& reply) {

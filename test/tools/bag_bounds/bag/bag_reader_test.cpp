@@ -7,8 +7,10 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "testing/bag_testing.h"
+#include "testing/refusal.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -40,12 +42,7 @@ std::vector<std::int64_t> timesOf(BagReader& reader) {
 }
 
 std::string refusal(const std::vector<std::string>& files) {
-  try {
-    BagReader reader(files, {});
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "none";
+  return refusalOf<std::runtime_error>([&] { BagReader reader(files, {}); });
 }
 
 TEST(BagReader, GivesEachMessageInTheOrderOfTheFile) {
