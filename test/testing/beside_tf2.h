@@ -8,10 +8,13 @@
 #include <tf2/buffer_core.h>
 #include <tf2/exceptions.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "testing/random_tf.h"
 #include "world/tf/transform_buffer.h"
@@ -25,10 +28,20 @@ class BesideTf2 {
   BesideTf2() { console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE); }
 
   void add(const RandomMessage& message) {
-    for (const auto& transform : message.transforms)
+    for (const auto& transform : message.transforms) {
       tf2.setTransform(transform, "test", message.is_static);
+      stamps_.push_back(static_cast<std::int64_t>(transform.header.stamp.toNSec()));
+    }
     ours.add({message.transforms.begin(), message.transforms.end()}, message.is_static,
              ros::Time(1));
+  }
+
+  /// The stamp of one of the last 100 or 3000 transforms [ns]. Nothing before the first.
+  std::optional<std::int64_t> pickStamp(RandomTf& random) const {
+    const auto recent = std::min<std::size_t>(stamps_.size(), random.pick(2) ? 100 : 3000);
+    if (recent == 0) return std::nullopt;
+    const int age = random.pick(static_cast<int>(recent));
+    return stamps_[stamps_.size() - 1 - static_cast<std::size_t>(age)];
   }
 
   /// As tf2 looks it up, but as if nothing were above the nearest frame above both: uneven
@@ -71,6 +84,8 @@ class BesideTf2 {
     }
     return frame;
   }
+
+  std::vector<std::int64_t> stamps_;  ///< of all transforms, in the order of their receipt [ns]
 };
 
 inline Eigen::Isometry3d toIsometry(const geometry_msgs::TransformStamped& transform) {

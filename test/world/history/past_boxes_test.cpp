@@ -73,10 +73,7 @@ class RandomRequests {
   }
 
   void receive() {
-    const RandomMessage message = random_.next();
-    both_.add(message);
-    for (const auto& transform : message.transforms)
-      stamps_.push_back(static_cast<std::int64_t>(transform.header.stamp.toNSec()));
+    both_.add(random_.next());
     scene_.update(kNow);
   }
 
@@ -139,9 +136,7 @@ class RandomRequests {
 
   /// Stamps, where tf2 does not always interpolate, times between them, and far from them.
   std::int64_t pickTime() {
-    const auto recent = std::min<std::size_t>(stamps_.size(), pick(2) ? 100 : 3000);
-    const std::int64_t stamp =
-        stamps_[stamps_.size() - 1 - static_cast<std::size_t>(pick(static_cast<int>(recent)))];
+    const std::int64_t stamp = both_.pickStamp(random_).value();
     const double distance = pick(10) == 0 ? 2e10 : 1e7;
     return stamp + pick(2) * static_cast<std::int64_t>(numbers_.uniform(-distance, distance));
   }
@@ -233,7 +228,6 @@ class RandomRequests {
   BesideTf2 both_;
   Scene scene_{both_.ours};
   std::vector<std::vector<Eigen::Vector3f>> vertices_;  ///< by link
-  std::vector<std::int64_t> stamps_;                    ///< of all transforms
   int boxes_ = 0;
   int without_ = 0;
   int refused_ = 0;

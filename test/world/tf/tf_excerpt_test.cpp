@@ -36,12 +36,7 @@ class Excerpts {
  public:
   Excerpts(std::uint64_t seed, Oddity oddity) : random_(seed, oddity), times_(seed) {}
 
-  void receive() {
-    const RandomMessage message = random_.next();
-    both_.add(message);
-    for (const auto& transform : message.transforms)
-      stamps_.push_back(static_cast<std::int64_t>(transform.header.stamp.toNSec()));
-  }
+  void receive() { both_.add(random_.next()); }
 
   void clear() {
     both_.tf2.clear();
@@ -101,11 +96,9 @@ class Excerpts {
 
   /// Half of them are stamps, where tf2 does not always interpolate.
   std::int64_t pickTime() {
-    const auto recent = std::min<std::size_t>(stamps_.size(), pick(2) ? 100 : 3000);
-    if (recent == 0) return kSecond;
-    const std::int64_t stamp =
-        stamps_[stamps_.size() - 1 - static_cast<std::size_t>(pick(static_cast<int>(recent)))];
-    return stamp + pick(2) * static_cast<std::int64_t>(times_.uniform(-1e7, 1e7));
+    const std::optional<std::int64_t> stamp = both_.pickStamp(random_);
+    if (!stamp) return kSecond;
+    return *stamp + pick(2) * static_cast<std::int64_t>(times_.uniform(-1e7, 1e7));
   }
 
   Frame pickFrame() { return both_.ours.frame(frameName(pick(random_.frames()))); }
@@ -156,7 +149,6 @@ class Excerpts {
   RandomTf random_;
   brute_force::Random times_;
   BesideTf2 both_;
-  std::vector<std::int64_t> stamps_;  ///< of all transforms, in the order of their receipt
 };
 
 TEST(TfExcerpt, PosesHaveTheBitsOfTheOriginal) {
