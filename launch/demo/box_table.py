@@ -19,7 +19,7 @@ import rospy
 from link_bounds.msg import AxisAlignedBoxArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, has_publisher  # noqa: E402
+from demo_arguments import check_arguments, has_publisher, printable  # noqa: E402
 
 TERMINAL_PERIOD = 0.5  # s of wall time, so that the table is updated while /clock stands still
 PLAIN_PERIOD = 2.0
@@ -59,11 +59,6 @@ def table(message, topic, warnings, columns):
     lines.append(f'{"link":{width}}{titles}'.rstrip())
     return lines + [row(box, width, MARK if box.name in message.incomplete else GAP)
                     for box in message.boxes]
-
-
-def printable(text):
-    """One line: control characters, which could move the cursor, become spaces."""
-    return ''.join(c if c.isprintable() else ' ' for c in text)
 
 
 def row(box, width, mark):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the nodes share that are started by launch files: command line, parameters, topics."""
+"""What the nodes share that are started by launch files: arguments, parameters, the loop, text."""
 
 import argparse
 import math
@@ -33,9 +33,32 @@ def number_parameter(name, default, least=-math.inf, rule='a finite number'):
     return number if least < number < math.inf else refuse(name, value, rule)
 
 
-def rate_parameter(default):
-    """Of a node that publishes regularly [Hz]."""
-    return number_parameter('rate', default, 0, 'a finite number > 0')
+def run_regularly(default_rate, step, at_once=True):
+    """Calls `step` at ~rate [Hz] until the node ends. The first call is at once, or else after one
+    period."""
+    ticks = rospy.Rate(number_parameter('rate', default_rate, 0, 'a finite number > 0'), reset=True)
+    try:
+        if not at_once:
+            ticks.sleep()
+        while not rospy.is_shutdown():
+            step()
+            ticks.sleep()
+    except rospy.ROSInterruptException:
+        pass  # a signal during sleep is the usual end
+
+
+def robot_description(purpose):
+    """The text of the parameter. If there is none, logs what it is for and ends the node."""
+    name = rospy.search_param('robot_description')
+    if name is None:
+        rospy.logfatal(f'there is no robot_description {purpose}')
+        sys.exit(1)
+    return rospy.get_param(name)
+
+
+def printable(text):
+    """One line: control characters, which could move the cursor, become spaces."""
+    return ''.join(c if c.isprintable() else ' ' for c in text)
 
 
 def has_publisher(topic):

@@ -19,7 +19,8 @@ from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import PointCloud2, PointField
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, number_parameter, rate_parameter  # noqa: E402
+from demo_arguments import (  # noqa: E402
+    check_arguments, number_parameter, robot_description, run_regularly)
 from solid_triangles import box, lathe, link_triangles, sphere  # noqa: E402
 
 ROOT, HAND, FRAME = 'base', 'gripper', 'depth_camera'
@@ -127,16 +128,20 @@ class Camera:
         return message
 
 
-def publish_until_shutdown(bodies, camera, rate):
+def main():
+    check_arguments(__doc__)
+    rospy.init_node('depth_camera')
+    bodies = scene() + [(link, triangles, ARM) for link, triangles in
+                        link_triangles(robot_description('to see')).items()]
+    camera = Camera(int(number_parameter('width', 200, 0, 'a number of pixels')))
     tf = tf2_ros.Buffer()
     tf2_ros.TransformListener(tf)
     broadcaster = tf2_ros.StaticTransformBroadcaster()
     pose = camera_pose()
     broadcaster.sendTransform(static_transform(pose))
     publisher = rospy.Publisher('~points', PointCloud2, queue_size=2)
-    ticks = rospy.Rate(rate, reset=True)
-    while not rospy.is_shutdown():
-        ticks.sleep()
+
+    def publish():
         try:
             stamp = max(tf.get_latest_common_time(ROOT, frame) for frame, _, _ in bodies)
             parts = []
@@ -146,26 +151,11 @@ def publish_until_shutdown(bodies, camera, rate):
                     tf.lookup_transform(ROOT, frame, stamp).transform)
                 parts.append((triangles @ placed[:3, :3].T + placed[:3, 3], colour))
         except tf2_ros.TransformException:
-            continue  # the arm has not moved yet
+            return  # the arm has not moved yet
         publisher.publish(camera.cloud(parts, stamp))
 
-
-def main():
-    check_arguments(__doc__)
-    rospy.init_node('depth_camera')
-    name = rospy.search_param('robot_description')
-    if name is None:
-        rospy.logfatal('there is no robot_description to see')
-        return 1
-    bodies = scene() + [(link, triangles, ARM) for link, triangles in
-                        link_triangles(rospy.get_param(name)).items()]
-    try:
-        width = int(number_parameter('width', 200, 0, 'a number of pixels'))
-        publish_until_shutdown(bodies, Camera(width), rate_parameter(2))
-    except rospy.ROSInterruptException:
-        pass  # a signal during sleep is the usual end
-    return 0
+    run_regularly(2, publish, at_once=False)
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    main()

@@ -20,7 +20,8 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, number_parameter, rate_parameter  # noqa: E402
+from demo_arguments import (  # noqa: E402
+    check_arguments, number_parameter, robot_description, run_regularly)
 
 GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never coincide again
 SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
@@ -81,35 +82,24 @@ class Motion:
         return self._seconds
 
 
-def publish_until_shutdown(swings, rate, ahead):
+def main():
+    check_arguments(__doc__)
+    rospy.init_node('joint_mover')
+    joints = movable_joints(robot_description('to move'))
+    amplitude = min(1.0, max(0.0, number_parameter('amplitude', 0.8)))
+    swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
     publisher = rospy.Publisher('joint_states', JointState, queue_size=10)
-    ticks = rospy.Rate(rate, reset=True)
-    motion = Motion(ahead)
+    motion = Motion(number_parameter('ahead', 0))
     message = JointState(name=[swing.joint for swing in swings])
-    while not rospy.is_shutdown():
+
+    def publish():
         message.header.stamp = rospy.Time.now()
         seconds = motion.seconds(message.header.stamp)
         message.position = [swing.position(seconds) for swing in swings]
         publisher.publish(message)
-        ticks.sleep()
 
-
-def main():
-    check_arguments(__doc__)
-    rospy.init_node('joint_mover')
-    name = rospy.search_param('robot_description')
-    if name is None:
-        rospy.logfatal('there is no robot_description to move')
-        return 1
-    amplitude = min(1.0, max(0.0, number_parameter('amplitude', 0.8)))
-    joints = movable_joints(rospy.get_param(name))
-    swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
-    try:
-        publish_until_shutdown(swings, rate_parameter(50), number_parameter('ahead', 0))
-    except rospy.ROSInterruptException:
-        pass  # a signal during sleep is the usual end
-    return 0
+    run_regularly(50, publish)
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    main()

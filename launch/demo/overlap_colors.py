@@ -19,7 +19,7 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, rate_parameter  # noqa: E402
+from demo_arguments import check_arguments, run_regularly  # noqa: E402
 
 QUADS = ((1, 3, 7, 5), (0, 4, 6, 2), (2, 6, 7, 3), (0, 1, 5, 4), (4, 5, 7, 6), (0, 2, 3, 1))
 EDGES = [(a, b) for a, b in itertools.combinations(range(8), 2) if bin(a ^ b).count('1') == 1]
@@ -100,14 +100,12 @@ def main():
                      queue_size=1, tcp_nodelay=True)
     only_links = rospy.get_param('~only_links', False)
     publisher = rospy.Publisher('~markers', MarkerArray, queue_size=10)
-    ticks = rospy.Rate(rate_parameter(30), reset=True)
-    try:
-        while not rospy.is_shutdown():
-            if newest.boxes:
-                publisher.publish(drawings(newest.boxes, newest.overlaps, only_links))
-            ticks.sleep()
-    except rospy.ROSInterruptException:
-        pass  # a signal during sleep is the usual end
+
+    def publish():
+        if newest.boxes:
+            publisher.publish(drawings(newest.boxes, newest.overlaps, only_links))
+
+    run_regularly(30, publish)
 
 
 if __name__ == '__main__':

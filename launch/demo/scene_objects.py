@@ -16,7 +16,7 @@ from geometry_msgs.msg import Point
 from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, number_parameter, rate_parameter  # noqa: E402
+from demo_arguments import check_arguments, number_parameter, run_regularly  # noqa: E402
 
 PARCELS, BALLS = 5, 3
 BELT_RADIUS, BELT_HEIGHT, BELT_PERIOD = 0.65, 0.3, 24.0  # m, m, s
@@ -103,14 +103,9 @@ def main():
     publisher = rospy.Publisher('link_bounds_publisher/objects', MarkerArray, queue_size=10)
     frame = rospy.get_param('~frame', 'base')
     uri, scale = rospy.get_param('~mesh', ''), number_parameter('mesh_scale', 1)
-    ticks = rospy.Rate(rate_parameter(30), reset=True)
     start = rospy.Time.now()
-    try:
-        while not rospy.is_shutdown():
-            publisher.publish(scene((rospy.Time.now() - start).to_sec(), frame, uri, scale))
-            ticks.sleep()
-    except rospy.ROSInterruptException:
-        pass  # a signal during sleep is the usual end
+    run_regularly(30, lambda: publisher.publish(
+        scene((rospy.Time.now() - start).to_sec(), frame, uri, scale)))
 
 
 if __name__ == '__main__':

@@ -22,7 +22,7 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import String
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, has_publisher, refuse  # noqa: E402
+from demo_arguments import check_arguments, has_publisher, printable, refuse  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
 QUIET = 10  # PERIODs without a message: then both topics have sent what they know
@@ -31,11 +31,6 @@ KEPT = 200  # messages of a topic, for those of the other one that come late
 ALONE = 20  # PERIODs for which nobody publishes a topic
 NEVER = -1  # ns, before each stamp
 OBJECT = re.compile(r'([^/].*)?/-?\d+', re.DOTALL)  # a link of such a name counts as an object
-
-
-def printable(text):
-    """One line: control characters, which could move the cursor, become spaces."""
-    return ''.join(c if c.isprintable() else ' ' for c in text)
 
 
 def kind(name):

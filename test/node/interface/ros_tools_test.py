@@ -145,7 +145,7 @@ class RosTools(unittest.TestCase):
                 text = file.read()
             read = re.findall(r"get_param\('(~\w+)'", text)
             read += ["~" + name for name in re.findall(r"number_parameter\('(\w+)'", text)]
-            read += ["~rate"] * text.count(" rate_parameter(")
+            read += ["~rate"] * text.count(" run_regularly(")
             with self.subTest(script):
                 if script != "arm_slower.py":  # which has none
                     self.assertGreater(len(read), 0)
