@@ -19,7 +19,7 @@ import rospy
 from link_bounds.msg import AxisAlignedBoxArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, has_publisher, printable  # noqa: E402
+from demo_arguments import check_arguments, has_publisher, printable, run  # noqa: E402
 
 TERMINAL_PERIOD = 0.5  # s of wall time, so that the table is updated while /clock stands still
 PLAIN_PERIOD = 2.0
@@ -103,4 +103,4 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    run(main)

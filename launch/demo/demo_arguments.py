@@ -47,6 +47,21 @@ def run_regularly(default_rate, step, at_once=True):
         pass  # a signal during sleep is the usual end
 
 
+def run(main):
+    """Calls main(), the whole of a node. Ctrl-C before there is a master, or a reader of the output
+    that has ended, ends it without a traceback."""
+    try:
+        main()
+    except rospy.ROSInitException:
+        sys.exit(1)
+    except OSError as error:
+        # What waits is dropped: Python would try to write it once more.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not isinstance(error, BrokenPipeError):
+            print(f'{os.path.basename(sys.argv[0])}: {error}', file=sys.stderr)
+        sys.exit(1)
+
+
 def robot_description(purpose):
     """The text of the parameter. If there is none, logs what it is for and ends the node."""
     name = rospy.search_param('robot_description')

@@ -20,7 +20,7 @@ from sensor_msgs.msg import PointCloud2, PointField
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import (  # noqa: E402
-    check_arguments, number_parameter, robot_description, run_regularly)
+    check_arguments, number_parameter, robot_description, run, run_regularly)
 from solid_triangles import box, lathe, link_triangles, sphere  # noqa: E402
 
 ROOT, HAND, FRAME = 'base', 'gripper', 'depth_camera'
@@ -158,4 +158,4 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    run(main)

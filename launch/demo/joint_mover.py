@@ -21,7 +21,7 @@ from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import (  # noqa: E402
-    check_arguments, number_parameter, robot_description, run_regularly)
+    check_arguments, number_parameter, robot_description, run, run_regularly)
 
 GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never coincide again
 SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
@@ -102,4 +102,4 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    run(main)

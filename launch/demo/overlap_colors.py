@@ -19,7 +19,7 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, run_regularly  # noqa: E402
+from demo_arguments import check_arguments, run, run_regularly  # noqa: E402
 
 QUADS = ((1, 3, 7, 5), (0, 4, 6, 2), (2, 6, 7, 3), (0, 1, 5, 4), (4, 5, 7, 6), (0, 2, 3, 1))
 EDGES = [(a, b) for a, b in itertools.combinations(range(8), 2) if bin(a ^ b).count('1') == 1]
@@ -109,4 +109,4 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    run(main)

@@ -16,7 +16,7 @@ from geometry_msgs.msg import Point
 from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, number_parameter, run_regularly  # noqa: E402
+from demo_arguments import check_arguments, number_parameter, run, run_regularly  # noqa: E402
 
 PARCELS, BALLS = 5, 3
 BELT_RADIUS, BELT_HEIGHT, BELT_PERIOD = 0.65, 0.3, 24.0  # m, m, s
@@ -109,4 +109,4 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    run(main)

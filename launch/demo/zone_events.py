@@ -22,7 +22,8 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import String
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, has_publisher, printable, refuse  # noqa: E402
+from demo_arguments import (  # noqa: E402
+    check_arguments, has_publisher, printable, refuse, run)
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
 QUIET = 10  # PERIODs without a message: then both topics have sent what they know
@@ -210,4 +211,4 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    run(main)

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kRobotDoc[] = R"(A robot of a URDF with its meshes, loaded once.
 
-Robot(urdf, geometry='visual', packages=None, *, allow_incomplete=False)
+Robot(urdf, geometry='visual', packages=None, allow_incomplete=False)
 
   urdf              the path of a URDF file, or its text, which begins with '<'; relative names of
                     meshes start at the folder of the file, or at the current one

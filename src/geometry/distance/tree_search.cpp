@@ -448,10 +448,18 @@ class NodeSearch {
     if (!(length > kShortest)) return 0;
     normal = between / length;
     double gap = gapAlong(normal, first, second);
+    if (gap - pair_.pad() >= farEnough()) return gap - pair_.pad();
     // The way between points that nearly touch has few digits; the planes have more.
-    if (!(gap - pair_.pad() >= farEnough()))
-      gap = std::max({gap, gapAcross(first, first, second), gapAcross(second, first, second)});
-    return gap - pair_.pad();
+    gap = std::max({gap, gapAcross(first, first, second), gapAcross(second, first, second)});
+    double lower = gap - pair_.pad();
+    if (lower >= farEnough()) return lower;
+    // Where long edges are nearly parallel, supports have more digits than nearest points.
+    withSet(pair_.first, triangles.first, [&](const auto& a) {
+      withSet(pair_.second, triangles.second, [&](const auto& b) {
+        lower = compareSets(triangles, {lower, 0, normal}, a, b).lower;
+      });
+    });
+    return lower;
   }
 
   /// Across the plane of `triangle`, on either side.

@@ -59,11 +59,11 @@ class IntervalTest {
   Floats box_min_, box_max_;
 };
 
-/// The nearest finite float. Rounding keeps the order of values, so intervals that overlap still
-/// overlap afterwards.
+/// The nearest finite float, for NaN any. Rounding keeps the order of values, so intervals that
+/// overlap still overlap afterwards.
 float toFloat(double value) {
   constexpr double largest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::min(std::max(value, -largest), largest));
+  return static_cast<float>(std::min(std::max(-largest, value), largest));
 }
 
 /// The axis along which the fewest boxes of the sample overlap each other. Of the two orders of a

@@ -24,15 +24,17 @@ namespace {
 void checkMasterUri(int argc, char** argv) {
   std::string name = "ROS_MASTER_URI";
   const char* const set = std::getenv(name.c_str());
-  std::string uri = set ? set : "";
+  bool is_set = set != nullptr;
+  std::string uri = is_set ? set : "";
   const std::string begin = "__master:=";
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument.compare(0, begin.size(), begin) != 0) continue;
     name = "__master";
+    is_set = true;
     uri = argument.substr(begin.size());
   }
-  if (uri.empty() && name != "__master") return;
+  if (!is_set) return;
   std::string host;
   std::uint32_t port = 0;
   // By roscpp's own parser.

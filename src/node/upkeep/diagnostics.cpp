@@ -83,6 +83,13 @@ void addMeshes(const Model& model, DiagnosticStatus& status) {
     add(status, "memory of " + path + " [bytes]", std::to_string(bytes));
 }
 
+std::string incompleteGroups(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const SceneGroup& group : scene.model()->groups)
+    if (groupState(group, scene).incomplete) names.push_back(group.name);
+  return names.empty() ? "none" : joined(names, ", ");
+}
+
 void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& status) {
   const Model& model = *scene.model();
   add(status, "fixed frame", model.fixed_frame);
@@ -91,6 +98,7 @@ void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& s
   const BodyCounts counts = countBodies(scene);
   add(status, "boxes", std::to_string(counts.boxes));
   add(status, "left out", model.left_out.empty() ? "none" : model.left_out);
+  add(status, "incomplete groups", incompleteGroups(scene));
   addOldest(scene, status);
   addMeshes(model, status);
   addIncomplete(scene, status);

@@ -280,7 +280,12 @@ class TopicTest(unittest.TestCase):
                    if argument != '--text' and not argument.startswith(OUTPUT)]
         if unknown:
             self.fail(f'unknown argument: {unknown[-1]}; see --help')
-        if not rosgraph.is_master_online():
+        try:
+            is_online = rosgraph.is_master_online()
+        except ValueError:
+            self.fail(f'ROS_MASTER_URI is "{rosgraph.get_master_uri()}"; '
+                      'it must be http://HOST:PORT')
+        if not is_online:
             self.fail(f'no ROS master answers at {rosgraph.get_master_uri()}; start it by rostest')
         # All times are of the wall's clock.
         rospy.init_node(self._program.name, disable_rostime=True, disable_signals=True)

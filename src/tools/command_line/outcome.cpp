@@ -4,6 +4,7 @@
 #include "tools/command_line/outcome.h"
 
 #include "text/joined.h"
+#include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 
 namespace link_bounds {
@@ -27,15 +28,13 @@ void Outcome::addOpen(const std::string& what, std::size_t count) {
 
 int exitCode(const Outcome& outcome, const Demand& demand) {
   if (outcome.is_unusable) return kUnusable;
-  const bool is_open = !outcome.open.empty() && !demand.allow_incomplete;
-  if (outcome.has_finding) {
-    if (is_open) warnOfOpen(outcome.open);
-    return kFinding;
-  }
-  if (is_open) {
-    warnOfOpen(outcome.open, "; --allow-incomplete accepts that");
-    return kOpen;
-  }
+  const bool is_accepted = demand.allow_incomplete && !isInterrupted();
+  const bool is_open = !outcome.open.empty() && !is_accepted;
+  if (is_open)
+    warnOfOpen(outcome.open,
+               outcome.has_finding || isInterrupted() ? "" : "; --allow-incomplete accepts that");
+  if (outcome.has_finding) return kFinding;
+  if (is_open) return kOpen;
   return outcome.lost_geometry && demand.strict ? kLostGeometry : 0;
 }
 

@@ -36,7 +36,7 @@ struct Outcome {
 /// Options of the user.
 struct Demand {
   bool strict = false;            ///< lost geometry is a failure
-  bool allow_incomplete = false;  ///< what is open does not count
+  bool allow_incomplete = false;  ///< what is open does not count, unless Ctrl-C ended the run
 };
 
 /// 1 unusable, 3 a finding, 4 something is open, 2 lost geometry, 0 all was answered and holds: the

@@ -103,6 +103,14 @@ StampTime LiveObjects::stampTime(const LiveObject& object, bool had_stamp) const
   return has_jumped_back_ && had_stamp ? StampTime::kRepeated : StampTime::kKnown;
 }
 
+const LiveObject* LiveObjects::firstWithMesh(const std::string& uri) const {
+  const auto users = mesh_users_.find(uri);
+  if (users == mesh_users_.end()) return nullptr;
+  const auto name = [](const LiveObject* user) { return user->content->bounded.name; };
+  return *std::min_element(users->second.begin(), users->second.end(),
+                           [&](auto* a, auto* b) { return name(a) < name(b); });
+}
+
 bool LiveObjects::endStatic(const ObjectKey& key, ros::Time now) {
   const auto found = objects_.find(key);
   if (found == objects_.end() || !found->second.content->is_static) return false;

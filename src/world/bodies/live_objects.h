@@ -51,6 +51,8 @@ class LiveObjects {
   /// as incomplete.
   bool put(const ObjectKey& key, ObjectContent content, ros::Time now);
   bool remove(const ObjectKey& key);
+  /// By its name; null if none has the mesh.
+  const LiveObject* firstWithMesh(const std::string& uri) const;
   /// A neighbour's that is static falls silent, too, from now on.
   bool endStatic(const ObjectKey& key, ros::Time now);
   /// All objects of markers. Neighbours stay: they end with the messages of their sender.

@@ -100,7 +100,10 @@ bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros:
   known.error = mesh.error;
   known.is_loading = false;
   if (!mesh.error.empty()) {
-    const auto line = mesh_log_.line(uri, mesh.error, "an object", ros::SteadyTime::now());
+    const LiveObject* const user = objects_.firstWithMesh(uri);
+    const std::string whose = user ? user->content->bounded.name + " of " + user->content->publisher
+                                   : "an object that has gone";
+    const auto line = mesh_log_.line(uri, mesh.error, whose, ros::SteadyTime::now());
     if (line) ROS_ERROR_STREAM(*line);
   }
   return objects_.fillMesh(uri, mesh, now);

@@ -137,6 +137,62 @@ double reportError(const JointReport& report, const JointState& state, std::int6
   return kMaxReportError + fastest * static_cast<double>(std::abs(stamp - report.stamp)) / kSecond;
 }
 
+/// Null if there is none.
+const JointReport* nearestReport(const std::vector<JointReport>& reports, std::int64_t stamp) {
+  const JointReport* nearest = nullptr;
+  for (const JointReport& report : reports) {
+    if (!nearest || std::abs(stamp - report.stamp) < std::abs(stamp - nearest->stamp))
+      nearest = &report;
+  }
+  return nearest;
+}
+
+TimedValues positionsOf(const std::vector<JointReport>& reports) {
+  TimedValues found;
+  for (const JointReport& report : reports) {
+    found.stamps.push_back(report.stamp);
+    found.values.push_back(report.position);
+  }
+  return found;
+}
+
+/// Some drivers keep the positions of joints without limits within one turn. The velocities tell
+/// how many turns were made, unless they may be zeros for what is not measured. False if the
+/// direction is not known.
+bool addTurns(const std::vector<JointReport>& reports, std::vector<double>& positions) {
+  for (std::size_t i = 1; i < reports.size(); ++i) {
+    const double time = static_cast<double>(reports[i].stamp - reports[i - 1].stamp) / kSecond;
+    const double told = (*reports[i].velocity + *reports[i - 1].velocity) / 2 * time;
+    const double difference = reports[i].position - reports[i - 1].position;
+    const double more = withoutTurns(difference - told);
+    if (std::abs(difference) >= kMaxTurn && std::abs(more) >= kMaxTurn) return false;
+    positions[i] = positions[i - 1] + told + more;
+  }
+  return true;
+}
+
+/// Of reports that all have a velocity.
+void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& reports,
+                           std::int64_t stamp, std::int64_t window, JointState& state) {
+  TimedValues found = positionsOf(reports);
+  if (joint.motion == Motion::kRotation && !addTurns(reports, found.values)) {
+    state.problem = whyNoDirection(joint, "reports in joint_states");
+    return;
+  }
+  JointState of_positions;
+  if (reports.size() > 1) addSpeeds(found, window, of_positions);
+  const auto [lower, upper] = std::minmax_element(found.values.begin(), found.values.end());
+  addReportedSpeeds(reports, stamp, *upper - *lower, of_positions, state);
+}
+
+void addSpeedsOfPositions(const std::vector<JointReport>& reports, std::int64_t stamp,
+                          std::int64_t window, JointState& state) {
+  addSpeeds(positionsOf(reports), window, state);
+  // Since the last report it may have become faster, as by twice the time in a piece.
+  const std::int64_t gap = std::max<std::int64_t>(stamp - reports.back().stamp, 0);
+  state.piece += 2 * static_cast<double>(gap) / kSecond;
+}
+
 }  // namespace
 
 std::string whyMisfit(const Joint& joint, const JointFit& fit) {
@@ -195,14 +251,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   const std::vector<JointReport> reports =
       have_velocities ? all_reports : withoutLate(all_reports, stamp, window);
   const bool is_any_late = reports.size() < all_reports.size();
-  TimedValues found;
-  const JointReport* nearest = nullptr;
-  for (const JointReport& report : reports) {
-    found.stamps.push_back(report.stamp);
-    found.values.push_back(report.position);
-    if (!nearest || std::abs(stamp - report.stamp) < std::abs(stamp - nearest->stamp))
-      nearest = &report;
-  }
+  const JointReport* const nearest = nearestReport(reports, stamp);
   const bool are_told = have_velocities && (!areZeros(reports) || restedSince(before, reports));
   if (!nearest || std::abs(stamp - nearest->stamp) > window ||
       (!are_told && !tellSpeed(withoutLate(all_reports, stamp, window), window))) {
@@ -210,28 +259,10 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
     return state;
   }
   if (have_velocities) {
-    JointState of_positions;
-    // Some drivers keep the positions of joints without limits within one turn. The velocities tell
-    // how many turns were made, unless they may be zeros for what is not measured.
-    for (std::size_t i = 1; joint.motion == Motion::kRotation && i < reports.size(); ++i) {
-      const double time = static_cast<double>(reports[i].stamp - reports[i - 1].stamp) / kSecond;
-      const double told = (*reports[i].velocity + *reports[i - 1].velocity) / 2 * time;
-      const double difference = reports[i].position - reports[i - 1].position;
-      const double more = withoutTurns(difference - told);
-      if (std::abs(difference) >= kMaxTurn && std::abs(more) >= kMaxTurn) {
-        state.problem = whyNoDirection(joint, "reports in joint_states");
-        return state;
-      }
-      found.values[i] = found.values[i - 1] + told + more;
-    }
-    if (reports.size() > 1) addSpeeds(found, window, of_positions);
-    const auto [lower, upper] = std::minmax_element(found.values.begin(), found.values.end());
-    addReportedSpeeds(reports, stamp, *upper - *lower, of_positions, state);
+    addSpeedsOfVelocities(joint, reports, stamp, window, state);
+    if (!state.problem.empty()) return state;
   } else {
-    addSpeeds(found, window, state);
-    // Since the last report it may have become faster, as by twice the time in a piece.
-    const std::int64_t gap = std::max<std::int64_t>(stamp - found.stamps.back(), 0);
-    state.piece += 2 * static_cast<double>(gap) / kSecond;
+    addSpeedsOfPositions(reports, stamp, window, state);
     if (is_any_late) {
       const JointReport& late = all_reports.back();
       const JointReport& last = reports.back();

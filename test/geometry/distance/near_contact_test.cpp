@@ -254,6 +254,32 @@ TEST(NearContact, StaysKnownWhileBodiesMove) {
   EXPECT_GT(meetings, searches / 2);
 }
 
+// Of two slivers that lie nearly along each other, the way between the nearest points has few
+// digits, and so have the planes.
+TEST(NearContact, OfSliversIsKnownToAHundredMillionthOfTheirSize) {
+  Random random(4);
+  for (int i = 0; i < repetitions(20000); ++i) {
+    TriangleMesh mesh;
+    for (std::uint32_t k = 0; k < 9; k += 3) {
+      const Eigen::Vector3f corner = random.vector(1).cast<float>();
+      const Eigen::Vector3f along = random.vector(1).cast<float>();
+      const Eigen::Vector3f aside = random.vector(1e-6).cast<float>();
+      mesh.vertices.insert(mesh.vertices.end(),
+                           {corner, corner + along, corner + along / 2 + aside});
+      mesh.triangles.push_back({k, k + 1, k + 2});
+    }
+    MeshBody body;
+    body.add(mesh);
+    const Eigen::Affine3d first = random.rigid(1);
+    const double step = random.magnitude(-8, -1);
+    const Eigen::Affine3d moved = Eigen::Translation3d(random.vector(step)) * first *
+                                  Eigen::AngleAxisd(step, random.vector(1).normalized());
+    constexpr double kWidth = 3 * kAccuracy;  // bodies of about 3 m
+    const BodyDistance found = *bodyDistance(body.body, first, body.body, moved, {kWidth});
+    ASSERT_LE(found.upper - found.lower, kWidth + 1e-11) << "step " << step << ", round " << i;
+  }
+}
+
 TEST(NearContact, OfMeshesDoesNotDependOnTheOrder) {
   Random random(3);
   for (int i = 0; i < repetitions(2000); ++i) {

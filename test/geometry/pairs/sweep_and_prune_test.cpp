@@ -175,6 +175,25 @@ TEST(SweepAndPrune, HugeBoxes) {
   expectExact(boxes, 1e38);
 }
 
+// Boxes are finite. One that is not leaves all memory as it is, and others are found.
+TEST(SweepAndPrune, ABoxThatIsNotANumber) {
+  Random random(7);
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  for (int corner = 0; corner < 6; ++corner) {
+    SweepAndPrune search;
+    Boxes boxes = clutter(random, 100, 0.5);
+    (corner < 3 ? boxes[40].min() : boxes[40].max())[corner % 3] = kNan;
+    for (int round = 0; round < 2; ++round) {
+      std::size_t found = 0;
+      for (const auto& pair : search.find(boxes, 0))
+        found += pair.first != 40 && pair.second != 40;
+      boxes.erase(boxes.begin() + 40);
+      EXPECT_EQ(found, SweepAndPrune().find(boxes, 0).size());
+      boxes.insert(boxes.begin() + 40, boxAround({kNan, kNan, kNan}, Eigen::Vector3d::Ones()));
+    }
+  }
+}
+
 TEST(SweepAndPrune, FarFromTheOrigin) {
   Random random(6);
   for (const double away : {1e6, -1e12, 1e15}) {

@@ -8,6 +8,7 @@ import os
 import pty
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -132,6 +133,38 @@ class RosTools(unittest.TestCase):
         return subprocess.run([executable("link_bounds", program), "--help"], check=True,
                               timeout=DEADLINE, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE).stdout.decode()
+
+    def check_ends_quietly(self, process):
+        self.addCleanup(process.kill)
+        err = process.communicate(timeout=DEADLINE)[1]
+        self.assertEqual(process.returncode, 1, err)
+        self.assertNotIn("Traceback", err)
+        return err
+
+    def started(self, script, stdout, **environment):
+        return subprocess.Popen(
+            [executable("link_bounds", script)], stdout=stdout, stderr=subprocess.PIPE,
+            stdin=subprocess.DEVNULL, encoding="utf-8", env=dict(os.environ, **environment))
+
+    def test_a_table_that_nobody_reads_ends(self):
+        process = self.started("box_table.py", subprocess.PIPE)
+        process.stdout.readline()
+        process.stdout.close()
+        process.stdout = None
+        self.check_ends_quietly(process)
+        with open("/dev/full", "wb") as full:
+            err = self.check_ends_quietly(self.started("box_table.py", full))
+        self.assertIn("box_table.py: [Errno 28]", err)
+
+    def test_ctrl_c_before_there_is_a_master(self):
+        for script in ("box_table.py", "joint_mover.py", "zone_events.py"):
+            with self.subTest(script):
+                process = self.started(script, subprocess.DEVNULL,
+                                       ROS_MASTER_URI="http://localhost:1")
+                said = process.stderr.readline()
+                self.assertIn("Unable to register with master", said)
+                process.send_signal(signal.SIGINT)
+                self.check_ends_quietly(process)
 
     def test_every_program_explains_itself(self):
         for program in PROGRAMS + SCRIPTS + ["rviz_in_fixed_frame.py"]:

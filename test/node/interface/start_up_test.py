@@ -123,7 +123,7 @@ class StartUp(unittest.TestCase):
                 self.check_refused(node, argument.partition("=")[2])
 
     def test_a_master_uri_that_ros_refuses(self):
-        for uri in ("localhost", "http://", "http://localhost"):
+        for uri in ("localhost", "http://", "http://localhost", ""):
             with self.subTest(uri=uri):
                 node = NodeProcess(next(self.names), environment=dict(
                     os.environ, ROS_MASTER_URI=uri))

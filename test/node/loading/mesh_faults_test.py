@@ -179,6 +179,7 @@ class MeshFaults(unittest.TestCase):
                                                 frame="base", mesh_resource=resource))
         boxes.wait(lambda m: names_of(m) == ["base", "a/1"] and m.incomplete == ["mast", "a/0"],
                    "the good object")
+        wait_for(lambda: 'from "a/0 of ' in node.output, "a line that names the object")
         self.reload(node)
 
     def test_max_mesh_bytes(self):

@@ -28,6 +28,10 @@ class DiagnosticsLevels : public testing::Test {
         *modelOf("base", {meshLink("base", 1), meshLink("slow", 1), meshLink("fast", 1)}));
     model->parameters.distance_warning = 0.1;
     model->left_out = "left out are links";
+    for (const char* const name : {"whole", "lacking"})
+      model->groups.emplace_back().name = name;
+    model->groups.front().members = {1, 2};
+    model->groups.back().objects = {{"cup", 1}};
     scene_.adopt(model, ros::Time(1));
     const ros::Time now = ros::Time::now();
     for (const auto& [name, age] : {std::pair("slow", kAge), std::pair("fast", kAge / 2)})
@@ -75,6 +79,7 @@ TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
     return row == calm.values.end() ? "" : row->value;
   };
   EXPECT_EQ(value("left out"), "left out are links");
+  EXPECT_EQ(value("incomplete groups"), "lacking");
   const std::string oldest = value("oldest box of a link [ms]");
   EXPECT_NE(oldest.find(" (slow)"), std::string::npos) << oldest;
   EXPECT_GE(std::stod(oldest), kAge * 1e3 - 1);

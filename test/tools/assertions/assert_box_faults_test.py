@@ -107,14 +107,17 @@ class AssertBoxFaults(FaultsTest):
 
     def test_without_a_master_it_fails_at_once(self):
         path = os.path.join(self.folder, "no_master.xml")
-        found = subprocess.run(
-            [executable("link_bounds", "assert_box"), "--gtest_output=xml:" + path],
-            env=dict(os.environ, ROS_MASTER_URI="http://localhost:1"), timeout=DEADLINE,
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        self.assertEqual(found.returncode, 1)
-        self.assertIn("no ROS master", found.stderr.decode())
-        self.assertEqual(read_junit(path), (1, 0, 1))
-        self.check_at_once(path)
+        for uri, text in (("http://localhost:1", "no ROS master"),
+                          ("localhost", "it must be http://HOST:PORT")):
+            with self.subTest(uri):
+                found = subprocess.run(
+                    [executable("link_bounds", "assert_box"), "--gtest_output=xml:" + path],
+                    env=dict(os.environ, ROS_MASTER_URI=uri), timeout=DEADLINE,
+                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+                self.assertEqual(found.returncode, 1)
+                self.assertIn(text, found.stderr.decode())
+                self.assertEqual(read_junit(path), (1, 0, 1))
+                self.check_at_once(path)
 
     def test_a_report_that_cannot_be_written_is_a_failure(self):
         run = self.start("unwritable", dict(AROUND_PALM, check="inside"),

@@ -78,6 +78,12 @@ class CertificateTest(UrdfBoundsTest):
         large = urdf('large.urdf', '<box size="1 0.2 0.2" scale="0.2 1 1"/>')
         self.assertEqual(check(file, large, '--all')[0], REFUSED)
 
+    def test_ranges_of_three_dots(self):
+        """-1...1 is not -1 to 0.1."""
+        file, _ = self.certificate(self.urdf)
+        code, text = check(file, self.urdf, 'turn:=-1...1')
+        self.assertEqual((code, 'a range is written as joint:=a..b' in text), (2, True), text)
+
     def test_pairs_that_were_taken_out(self):
         """The last line counts them; so does who knows the robot."""
         file, _ = self.certificate(self.urdf)

@@ -192,6 +192,14 @@ class PosesTest(UrdfBoundsTest):
         self.assertRegex(out.splitlines()[0], r'rows: \d+ of %d    with contact: ' % count)
         self.assertNotIn('in all rows', out)
 
+    def test_an_interrupted_run_is_never_accepted(self):
+        names, rows = demo_rows(ROWS, share=0)
+        table = self.write('table.csv', csv(names, rows * 100))
+        code, _, err = self.interrupted(table, '--allow-incomplete', '--format', 'csv')
+        self.assertEqual(code, 4, err)
+        self.assertIn('not everything was answered: rows after the interrupt: ', err)
+        self.assertNotIn('--allow-incomplete accepts', err)
+
     def test_boxes_are_around_all_rows(self):
         summary, _ = self.summary('push,lift\n0,-0.5\n1,0.5\n')
         self.check_box(summary['boxes']['block'], (1.5, -0.5, -1), (3.5, 0.5, 1))

@@ -201,7 +201,7 @@ class RefusalTest(UrdfBoundsTest):
             for value in values:
                 self.check_refused(option + ' is "%s"' % value, '-', '--reach', option, value)
         self.check_refused('"turn" is given a range, which is for --reach', '-', 'turn:=0..1')
-        for text in ('1..0', '0..', '..1', '0..nan', '0..1..2', '0...1x'):
+        for text in ('1..0', '0..', '..1', '0..nan', '0..1..2', '0...1x', '0...1', '-1...0.5'):
             self.check_refused('"turn" is "%s"' % text, '-', '--reach', 'turn:=' + text)
         self.check_refused('"elbow" is no movable joint', '-', '--reach', 'elbow:=0..1')
 

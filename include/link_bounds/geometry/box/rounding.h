@@ -22,7 +22,8 @@ inline double nextDown(double value) {
   return std::nextafter(value, -std::numeric_limits<double>::infinity());
 }
 
-/// a + b rounded to nearest, or one ulp above where that is below the real sum.
+/// a + b rounded to nearest, or one ulp above where that is below the real sum. Both are at most
+/// 2^1022.
 /// Not inline: the compiler could fuse a product of the caller into one of the additions here, as
 /// for ARM and for x86 with FMA, and the steps would then disagree about its value.
 double addUp(double a, double b);

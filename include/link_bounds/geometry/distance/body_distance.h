@@ -19,7 +19,7 @@ enum class DistanceLevel { kBox, kHull, kMesh };
 struct BodyDistance {
   /// Proven: no point of one body is nearer to the other. 0: they may touch.
   double lower;
-  /// The distance of on_first and on_second, rounded up, so at least that of the bodies.
+  /// At least the distance of the bodies: that of the two points before these are rounded.
   double upper;
   Eigen::Vector3d on_first;  ///< a point of the first body
   Eigen::Vector3d on_second;
@@ -57,7 +57,8 @@ struct DistanceGoal {
 /// `lower` and `upper` differ by at most goal.tolerance(upper) and rounding if each shape has
 /// triangles or is a solid with at most one point, and neither goal.limit nor goal.max_steps ended
 /// the search. Nothing if a body has no shape, or a pose gives no box within 1e60 m. The other
-/// order of the bodies gives the same numbers, with the points swapped and the normal reversed.
+/// order of the bodies gives the same bounds, with the points swapped and the normal reversed; two
+/// bodies in the same place may get other points that are as near.
 /// Poses may be any affine transform. Throws nothing but std::bad_alloc.
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
                                          const Body& second,

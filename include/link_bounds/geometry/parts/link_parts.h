@@ -31,10 +31,10 @@ using LinkPart = std::vector<Shape>;
 constexpr std::size_t kBytesPerPart = 16'000;
 
 /// At most `max_parts` >= 1 parts. Each indivisible shape and each triangle is in exactly one part,
-/// and no part is empty. The sum of the parts' volumes, in the axes of the link, never rises with
-/// `max_parts`. There are fewer parts if more would not reduce it. There is one part if a shape has
-/// no finite box. A mesh whose points would take too much memory is not divided. What
-/// `check_interrupt` throws ends it.
+/// and no part is empty. The sum of the parts' volumes, in the axes of the link, does not rise with
+/// `max_parts`, but for rounding. There are fewer parts if more would not reduce it. There is one
+/// part if a shape has no finite box. A mesh whose points would take too much memory is not
+/// divided. What `check_interrupt` throws ends it.
 std::vector<LinkPart> splitIntoParts(const std::vector<DivisibleShape>& shapes,
                                      std::size_t max_parts,
                                      const CheckInterrupt& check_interrupt = nullptr);

@@ -325,14 +325,15 @@ int EachBag::finish() const {
     say("interrupted: " + std::to_string(done_) + " of " +
         std::to_string(waiting_.size() + readings_.size() + done_) +
         " bags are done, and have their lines; --resume goes on");
-    if (!options_.demand.allow_incomplete) worst = worseCode(worst, kOpen);
+    worst = worseCode(worst, kOpen);
   }
   const auto count = [](const auto& entry) {
     return std::to_string(entry.second) + " " + verdictOf(entry.first);
   };
-  if (worst != 0)
+  const bool accepts_open = worst == kOpen && exit_codes_.count(kOpen) > 0;
+  if (worst != 0 && !exit_codes_.empty())
     say(joined(exit_codes_, ", ", count) + "; the lines say why" +
-        (worst == kOpen ? "; --allow-incomplete accepts what is incomplete" : ""));
+        (accepts_open ? "; --allow-incomplete accepts what is incomplete" : ""));
   return worst;
 }
 

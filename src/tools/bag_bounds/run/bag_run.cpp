@@ -303,38 +303,39 @@ BagReport BagRun::report() const {
   if (pairs_) report.distances = pairs_->pairs();
   report.has_compared = pairs_ && pairs_->hasCompared();
   report.distance_limit = options_.distances.value_or(0);
-  report.losses = reader_.losses();
-  report.losses.insert(report.losses.end(), static_losses_.begin(), static_losses_.end());
-  if (scene_.damaged() > 0) {
-    const bool is_one = scene_.damaged() == 1;
-    report.losses.push_back(std::to_string(scene_.damaged()) +
-                            (is_one ? " message is" : " messages are") +
-                            " too short and left out; the bag is damaged, record it again");
-  }
-  if (scene_.unfit() > 0)
-    report.losses.push_back(std::to_string(scene_.unfit()) +
-                            (scene_.unfit() == 1 ? " message" : " messages") +
-                            " of joints left out, with other than one position for each name, "
-                            "which robot_state_publisher ignores, too");
+  report.losses = losses();
+  return report;
+}
+
+/// What was recorded and is not in the report, in words.
+std::vector<std::string> BagRun::losses() const {
+  std::vector<std::string> losses = reader_.losses();
+  losses.insert(losses.end(), static_losses_.begin(), static_losses_.end());
+  if (const std::uint64_t count = scene_.damaged(); count > 0)
+    losses.push_back(std::to_string(count) + (count == 1 ? " message is" : " messages are") +
+                     " too short and left out; the bag is damaged, record it again");
+  if (const std::uint64_t count = scene_.unfit(); count > 0)
+    losses.push_back(std::to_string(count) + (count == 1 ? " message" : " messages") +
+                     " of joints left out, with other than one position for each name, "
+                     "which robot_state_publisher ignores, too");
   for (const std::string& loss : {scene_.objectTopics().loss(), joints_ ? joints_->loss() : ""})
-    if (!loss.empty()) report.losses.push_back(loss);
+    if (!loss.empty()) losses.push_back(loss);
   const std::vector<std::int64_t>& steps_back = order_.stepsBack();
   if (!steps_back.empty())
-    report.losses.push_back(
-        "record time goes back " + std::to_string(steps_back.size()) +
-        (steps_back.size() == 1 ? " time, to " : " times, first to ") +
-        shortSeconds(steps_back.front(), begin_) +
-        " s: messages are not in the order of their times, as where one topic was written after "
-        "the other; sort them: rosbag filter OLD.bag NEW.bag True");
+    losses.push_back("record time goes back " + std::to_string(steps_back.size()) +
+                     (steps_back.size() == 1 ? " time, to " : " times, first to ") +
+                     shortSeconds(steps_back.front(), begin_) +
+                     " s: messages are not in the order of their times, as where one topic was "
+                     "written after the other; sort them: rosbag filter OLD.bag NEW.bag True");
   if (back_before_start_ > 0)
-    report.losses.push_back("after the clock went back, " + std::to_string(back_before_start_) +
-                            " messages have a time before --start; leave out --start");
+    losses.push_back("after the clock went back, " + std::to_string(back_before_start_) +
+                     " messages have a time before --start; leave out --start");
   if (goes_back_after_end_)
-    report.losses.emplace_back(
+    losses.emplace_back(
         "after --end the clock went back, to messages that were not read; leave out --end");
-  addRefusals(intake_before_, scene_.tf().neededIntake(), report.losses);
-  if (was_interrupted_) report.losses.emplace_back("interrupted before the end");
-  return report;
+  addRefusals(intake_before_, scene_.tf().neededIntake(), losses);
+  if (was_interrupted_) losses.emplace_back("interrupted before the end");
+  return losses;
 }
 
 /// Links come first. Those without shapes never have a box.
@@ -383,6 +384,21 @@ std::string BagRun::whyUseless(const BagReport& report) const {
   return "";
 }
 
+/// What is not known of the distances of pairs.
+void BagRun::addOpenPairs(const NearestPairs& pairs, Outcome& outcome) {
+  if (pairs.wasInterrupted())
+    outcome.open.emplace_back("distances of the last step, which was interrupted");
+  if (!pairs.hasCompared()) outcome.open.emplace_back(kNothingCompared);
+  outcome.addOpen("names of which not all distances are known", pairs.incomplete().size());
+  if (pairs.undecided() > 0)
+    warn(std::to_string(pairs.undecided()) +
+         " motions of two bodies between two messages are not decided, the first of " +
+         pairs.firstUndecided() + "; record tf at a higher rate");
+  outcome.addOpen("motions of pairs that are not decided", pairs.undecided());
+  outcome.addOpen("distances of further pairs", pairs.pairsLeftOut());
+  outcome.addOpen("meshes without triangles", pairs.problems().size());
+}
+
 Outcome BagRun::outcome(const BagReport& report) const {
   Outcome outcome;
   for (const std::string& loss : report.losses)
@@ -418,18 +434,7 @@ Outcome BagRun::outcome(const BagReport& report) const {
         intake.replaced - intake_before_.replaced);
   }
   outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
-  if (!pairs_) return outcome;
-  if (pairs_->wasInterrupted())
-    outcome.open.emplace_back("distances of the last step, which was interrupted");
-  if (!pairs_->hasCompared()) outcome.open.emplace_back(kNothingCompared);
-  outcome.addOpen("names of which not all distances are known", pairs_->incomplete().size());
-  if (pairs_->undecided() > 0)
-    warn(std::to_string(pairs_->undecided()) +
-         " motions of two bodies between two messages are not decided, the first of " +
-         pairs_->firstUndecided() + "; record tf at a higher rate");
-  outcome.addOpen("motions of pairs that are not decided", pairs_->undecided());
-  outcome.addOpen("distances of further pairs", pairs_->pairsLeftOut());
-  outcome.addOpen("meshes without triangles", pairs_->problems().size());
+  if (pairs_) addOpenPairs(*pairs_, outcome);
   return outcome;
 }
 

@@ -61,6 +61,8 @@ class BagRun {
   void record(std::int64_t now);
   bool glance();
   void addCoverage(std::vector<BoxRecord>& boxes) const;
+  std::vector<std::string> losses() const;
+  static void addOpenPairs(const NearestPairs& pairs, Outcome& outcome);
   const BagBoundsOptions& options_;
   BagQuestion& question_;
   OnProgress on_progress_;

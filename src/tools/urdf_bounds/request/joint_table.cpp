@@ -67,10 +67,12 @@ std::optional<std::vector<std::string>> cellsOf(const std::string& line) {
   }
 }
 
-/// For a message: of a long text the begin.
+/// For a message: of a long text the begin. A zero would end the message.
 std::string shown(const std::string& text) {
   constexpr std::size_t kMaxShown = 100;
-  return text.size() <= kMaxShown ? text : text.substr(0, kMaxShown) + "...";
+  std::string begin = text.substr(0, kMaxShown);
+  std::replace(begin.begin(), begin.end(), '\0', ' ');
+  return text.size() <= kMaxShown ? begin : begin + "...";
 }
 
 constexpr char kWrongQuotes[] =

@@ -16,7 +16,9 @@ Limits jointRange(const std::string& joint, const std::string& text) {
   const std::optional<double> lower = toNumber(text.substr(0, dots));
   const std::optional<double> upper =
       dots == std::string::npos ? lower : toNumber(text.substr(dots + 2));
-  if (!lower || !upper) {
+  // -1...1 is not -1 to 0.1.
+  const bool has_third_dot = text.find("...") != std::string::npos;
+  if (!lower || !upper || has_third_dot) {
     throw UsageError("the value of joint \"" + joint + "\" is \"" + text +
                      "\", but must be a number, such as 0.5, or with --reach and --pairs a range, "
                      "such as -0.5..1");
