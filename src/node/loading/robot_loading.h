@@ -91,8 +91,10 @@ class RobotLoading {
   bool waitsForDescription() const { return waits_for_description_; }
   std::string descriptionName() const { return description_.name(); }
 
-  /// True if the first load failed for good.
   bool hasFailed() const { return has_failed_; }
+
+  /// Why the first load failed for good; "" if it did not.
+  std::string failure() const { return has_failed_ ? failure_ : ""; }
 
   /// For other work that takes long.
   Worker& worker() { return worker_; }
@@ -105,7 +107,8 @@ class RobotLoading {
       firstLoad();
     } catch (const std::exception& error) {
       if (worker_.isStopping()) return false;
-      ROS_FATAL("%s", logText(error.what()).c_str());
+      failure_ = logText(error.what());
+      ROS_FATAL("%s", failure_.c_str());
       has_failed_ = true;
       handlers_.on_failure();
     }
@@ -210,6 +213,7 @@ class RobotLoading {
   XmlRpc::XmlRpcValue refused_;  ///< a description that cannot be used, while it goes on
   std::atomic<bool> waits_for_description_{false};
   std::atomic<bool> has_failed_{false};
+  std::string failure_;  ///< never changed once has_failed_ is true
   HandOver<Made> hand_over_;
   Worker worker_;  ///< after all that its thread uses
   ros::ServiceServer reload_service_;

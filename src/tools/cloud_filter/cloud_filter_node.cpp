@@ -134,8 +134,8 @@ void CloudFilterNode::spin() {
     guarded([&] {
       tf_receiver_.freeSpareMemory();
       const std::size_t most_waiting = queue_.takeMostWaiting();
-      health_.publish(robot_.get(), heldProblems(), clouds_.waiting.size() + scans_.waiting.size(),
-                      most_waiting);
+      health_.publish(robot_.get(), loading_->failure(), heldProblems(),
+                      clouds_.waiting.size() + scans_.waiting.size(), most_waiting);
     });
   }
 }

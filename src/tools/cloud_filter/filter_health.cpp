@@ -55,7 +55,7 @@ void FilterHealth::addUnfiltered(const std::string& topic, const std::string& re
                                  bool is_passed) {
   ++(is_passed ? passed_ : dropped_);
   addReason(reason, recent_.unfiltered);
-  const std::string line = log_.line(
+  const std::string line = logs_[topic].line(
       "a message on " + topic +
           (is_passed ? " was passed on with the points of the robot: " : " was dropped: ") + reason,
       ros::SteadyTime::now());
@@ -63,8 +63,11 @@ void FilterHealth::addUnfiltered(const std::string& topic, const std::string& re
 }
 
 void FilterHealth::assess(DiagnosticStatus& status, const FilteredRobot* robot,
-                          bool are_objects_whole) {
-  if (!robot) raise(status, DiagnosticStatus::ERROR, "no robot has been loaded yet");
+                          const std::string& failure, bool are_objects_whole) {
+  if (!robot)
+    raise(status, DiagnosticStatus::ERROR,
+          failure.empty() ? "no robot has been loaded yet"
+                          : "no robot can be loaded: " + failure + "; then call ~reload");
   const std::uint64_t errors = unexpectedErrors();
   if (const std::uint64_t count = errors - std::exchange(last_errors_, errors); count > 0)
     raise(status, DiagnosticStatus::ERROR, std::to_string(count) + kUnexpectedErrors);
@@ -100,8 +103,9 @@ void FilterHealth::describe(DiagnosticStatus& status, double seconds) {
   add(status, "wait for tf and turn, max [ms]", text(recent_.max_waited_ms, 1));
 }
 
-void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
-                           std::size_t waiting, std::size_t most_waiting) {
+void FilterHealth::publish(const FilteredRobot* robot, const std::string& failure,
+                           const std::vector<std::string>& problems, std::size_t waiting,
+                           std::size_t most_waiting) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double seconds = std::max((now - last_status_).toSec(), 1e-3);
   last_status_ = now;
@@ -110,7 +114,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   DiagnosticStatus& status = message.status.emplace_back();
   status.name = name_ + ": cloud filter";
   status.hardware_id = "none";
-  assess(status, robot, problems.empty());
+  assess(status, robot, failure, problems.empty());
   describe(status, seconds);
   add(status, "waiting", std::to_string(waiting));
   add(status, "filtered", std::to_string(filtered_));

@@ -50,11 +50,13 @@ class FilterHealth {
   /// One status named "<node name>: cloud filter". ERROR: there is no robot, none of its links is
   /// filtered, or since the last status something failed that should not. WARN: geometry or held
   /// objects are missing, or since the last status clouds were not filtered, late or lacked nearest
-  /// points, or none was filtered. Else OK. `robot` may be null. `problems` are those of held
+  /// points, or none was filtered. Else OK. `robot` may be null; if it cannot be loaded,
+  /// `failure` says why. `problems` are those of held
   /// objects; `waiting` messages wait. `most_waiting` callbacks waited at once since the last
   /// status.
-  void publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
-               std::size_t waiting, std::size_t most_waiting);
+  void publish(const FilteredRobot* robot, const std::string& failure,
+               const std::vector<std::string>& problems, std::size_t waiting,
+               std::size_t most_waiting);
 
  private:
   using Reasons = std::map<std::string, std::size_t>;
@@ -72,7 +74,7 @@ class FilterHealth {
 
   static void addReason(const std::string& reason, Reasons& reasons);
   void assess(diagnostic_msgs::DiagnosticStatus& status, const FilteredRobot* robot,
-              bool are_objects_whole);
+              const std::string& failure, bool are_objects_whole);
   void describe(diagnostic_msgs::DiagnosticStatus& status, double seconds);
 
   std::string name_;
@@ -81,8 +83,8 @@ class FilterHealth {
   Recent recent_;
   // Since the start:
   std::uint64_t filtered_ = 0, dropped_ = 0, passed_ = 0, full_ = 0;
-  std::uint64_t last_errors_ = 0;  ///< unexpectedErrors() at the last status
-  RepeatLog log_;
+  std::uint64_t last_errors_ = 0;          ///< unexpectedErrors() at the last status
+  std::map<std::string, RepeatLog> logs_;  ///< by topic
 };
 
 }  // namespace link_bounds

@@ -19,8 +19,8 @@ constexpr double kLimitRounding = 1e-9;   // rad or m
 /// How far a pose may be from a report of the same time, beyond what the joint moves meanwhile.
 constexpr double kMaxReportError = 1e-3;  // rad or m
 
-/// By what share the speeds of positions may exceed the reported velocities for noise alone.
-constexpr double kMaxSpeedNoise = 0.05;
+/// By what share of its way a joint may move otherwise than its velocities tell, for noise alone.
+constexpr double kMaxWayError = 0.005;
 constexpr double kPositionNoise = 1e-4;  // rad or m, of encoders
 
 constexpr double kSpeedRounding = 1e-12;  // relative
@@ -73,11 +73,33 @@ bool restedSince(const std::optional<JointReport>& before,
          });
 }
 
+/// From one report to the next, by their velocities.
+double wayOf(const JointReport& from, const JointReport& to) {
+  return (*from.velocity + *to.velocity) / 2 * static_cast<double>(to.stamp - from.stamp) / kSecond;
+}
+
+/// Whether in a piece of the window the velocities tell another way than the positions do: a driver
+/// may filter them, which makes them late, or send zeros now and then.
+bool contradict(const std::vector<JointReport>& reports, const TimedValues& positions,
+                std::int64_t window) {
+  const std::vector<std::size_t> cuts = piecesOf(positions.stamps, window);
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double way = positions.values[cuts[i]] - positions.values[cuts[i - 1]];
+    double told = 0;
+    for (std::size_t k = cuts[i - 1] + 1; k <= cuts[i]; ++k)
+      told += wayOf(reports[k - 1], reports[k]);
+    if (std::abs(way - told) > kPositionNoise + kMaxWayError * std::abs(way)) return true;
+  }
+  return false;
+}
+
 /// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
-/// send zeros for what it does not measure, so the speeds of the positions count, too.
-/// `spread`: how far the positions are apart.
-void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp, double spread,
-                       const JointState& of_positions, JointState& state) {
+/// send zeros for what it does not measure, so the speeds of the positions count, too; where they
+/// show that the velocities are wrong, with what the joint may have gained in a piece.
+void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp,
+                       const TimedValues& positions, std::int64_t window, JointState& state) {
+  JointState of_positions;
+  if (reports.size() > 1) addSpeeds(positions, window, of_positions);
   state.speed = {*reports.front().velocity, *reports.front().velocity};
   std::int64_t gap = std::abs(stamp - reports.front().stamp);
   for (const JointReport& report : reports) {
@@ -86,16 +108,13 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
     gap = std::min(gap, std::abs(stamp - report.stamp));
   }
   state.piece = 2 * static_cast<double>(gap) / kSecond;
+  const auto [lowest, highest] =
+      std::minmax_element(positions.values.begin(), positions.values.end());
+  const bool is_still = *highest - *lowest <= kPositionNoise;
   const bool are_zeros = areZeros(reports);
-  const bool is_moving = are_zeros && spread > kPositionNoise;
-  if (are_zeros && !is_moving) state.unseen = kPositionNoise;
-  const double beyond = std::max(state.speed.lower - of_positions.speed.lower,
-                                 of_positions.speed.upper - state.speed.upper);
-  if (is_moving) state.piece += of_positions.piece;
-  if (of_positions.piece == 0 || beyond <= 0) return;
-  const double fastest = std::max(-of_positions.speed.lower, of_positions.speed.upper);
-  if (!is_moving && beyond > kMaxSpeedNoise * fastest &&
-      beyond * of_positions.piece > kPositionNoise)
+  if (are_zeros && is_still) state.unseen = kPositionNoise;
+  if (of_positions.piece == 0) return;
+  if ((are_zeros && !is_still) || contradict(reports, positions, window))
     state.piece += of_positions.piece;
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
@@ -161,8 +180,7 @@ TimedValues positionsOf(const std::vector<JointReport>& reports) {
 /// direction is not known.
 bool addTurns(const std::vector<JointReport>& reports, std::vector<double>& positions) {
   for (std::size_t i = 1; i < reports.size(); ++i) {
-    const double time = static_cast<double>(reports[i].stamp - reports[i - 1].stamp) / kSecond;
-    const double told = (*reports[i].velocity + *reports[i - 1].velocity) / 2 * time;
+    const double told = wayOf(reports[i - 1], reports[i]);
     const double difference = reports[i].position - reports[i - 1].position;
     const double more = withoutTurns(difference - told);
     if (std::abs(difference) >= kMaxTurn && std::abs(more) >= kMaxTurn) return false;
@@ -179,10 +197,7 @@ void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& r
     state.problem = whyNoDirection(joint, "reports in joint_states");
     return;
   }
-  JointState of_positions;
-  if (reports.size() > 1) addSpeeds(found, window, of_positions);
-  const auto [lower, upper] = std::minmax_element(found.values.begin(), found.values.end());
-  addReportedSpeeds(reports, stamp, *upper - *lower, of_positions, state);
+  addReportedSpeeds(reports, stamp, found, window, state);
 }
 
 void addSpeedsOfPositions(const std::vector<JointReport>& reports, std::int64_t stamp,

@@ -159,10 +159,9 @@ class RosTools(unittest.TestCase):
     def test_ctrl_c_before_there_is_a_master(self):
         for script in ("box_table.py", "joint_mover.py", "zone_events.py"):
             with self.subTest(script):
-                process = self.started(script, subprocess.DEVNULL,
+                process = self.started(script, subprocess.PIPE, PYTHONUNBUFFERED="1",
                                        ROS_MASTER_URI="http://localhost:1")
-                said = process.stderr.readline()
-                self.assertIn("Unable to register with master", said)
+                self.assertIn("Unable to register with master", process.stdout.readline())
                 process.send_signal(signal.SIGINT)
                 self.check_ends_quietly(process)
 

@@ -103,7 +103,9 @@ class CloudNodelet(unittest.TestCase):
         self.assertTrue(0 < sum(map(math.isnan, ranges)) < 600)
 
         # A wrong parameter: no robot, until it is right and ~reload was called.
-        wait_status(self.status, "/wrong", lambda status: status.level == 2, is_new=False)
+        wait_status(self.status, "/wrong", lambda status: status.level == 2 and
+                    "no robot can be loaded: parameter ~padding" in status.message,
+                    is_new=False)
         rospy.set_param("/wrong/padding", 0.01)
         answer = rospy.ServiceProxy("/wrong/reload", Trigger)()
         self.assertTrue(answer.success, answer.message)

@@ -175,7 +175,7 @@ class EarlyEndTest(UrdfBoundsTest):
                 text += terminal.read(4096).decode()
             program.send_signal(signal.SIGINT)
             out = program.stdout.read().decode()
-            while '--allow-incomplete' not in text:
+            while 'not everything was answered' not in text:
                 text += terminal.read(4096).decode()
             self.check(program.wait(), out, text, 'interrupted')
         self.assertIn('0/1 links, the largest gap is ', text)

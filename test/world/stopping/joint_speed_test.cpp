@@ -124,6 +124,40 @@ TEST(JointState, VelocitiesThatThePositionsRefuteAreNotBelieved) {
   }
 }
 
+/// A joint that swings, whose driver filters velocities, or sends a zero now and then.
+TEST(JointState, VelocitiesThatAreLateOrMissingAreNotBelieved) {
+  Random random(11);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  constexpr double kReach = 0.6, kTurn = 6.5, kLate[] = {0, 0.002, 0.005, 0.02, 0.04};
+  constexpr std::int64_t kLongWindow = 4 * kWindow;
+  const auto seconds = [](std::int64_t stamp) { return static_cast<double>(stamp) / 1e9; };
+  const auto position = [&](std::int64_t stamp) {
+    return kReach * std::sin(kTurn * seconds(stamp));
+  };
+  const auto speed = [&](double time) { return kReach * kTurn * std::cos(kTurn * time); };
+  const double acceleration = kReach * kTurn * kTurn;
+  double widest = 0;
+  for (int driver = 0; driver < 6; ++driver) {
+    for (std::int64_t end = kEnd; end < 3 * kEnd; end += kPeriod) {
+      Reports reports;
+      for (std::int64_t stamp = end - kLongWindow; stamp <= end; stamp += kPeriod) {
+        const bool is_zero = driver == 5 && stamp / kPeriod % 2 == 0;
+        const double late = driver < 5 ? kLate[driver] : 0;
+        reports.push_back({stamp, position(stamp), is_zero ? 0 : speed(seconds(stamp) - late)});
+      }
+      const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, position(end));
+      const JointState state = jointState(joint, pose, reports, end, kLongWindow);
+      ASSERT_EQ(state.problem, "");
+      const SpeedRange range = speedAtStamp(state, acceleration);
+      EXPECT_LE(range.lower, speed(seconds(end)) + 1e-9) << "driver " << driver;
+      EXPECT_GE(range.upper, speed(seconds(end)) - 1e-9) << "driver " << driver;
+      if (driver == 0) widest = std::max(widest, range.upper - range.lower);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_LT(widest, 1.1 * acceleration * 0.2) << "true velocities are believed";
+}
+
 /// From one report to the next it turns by 200 degrees.
 TEST(JointState, ZeroVelocitiesTellNoDirectionOfAFastJoint) {
   Random random(9);
