@@ -28,19 +28,29 @@ bool isUtf16(const std::string& text) {
          (start.size() == 2 && (start[0] == '\0') != (start[1] == '\0'));
 }
 
+std::string nameOf(const std::string& file) {
+  return file == "-" ? "standard input" : file;
+}
+
 }  // namespace
+
+UsageError faultIn(const std::string& file, const std::exception& fault) {
+  return UsageError(nameOf(file) + ": " + fault.what());
+}
 
 std::string readText(const std::string& file, const std::string& what) {
   const bool is_stdin = file == "-";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(
       is_stdin ? stdin : std::fopen(file.c_str(), "rb"), std::fclose);
-  const std::string name = is_stdin ? "standard input" : file;
+  const std::string name = nameOf(file);
   if (!in) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
   std::string text;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof(buffer), in.get())) {
     text.append(buffer, count);
-    if (text.size() > kMaxBytes) throw UsageError(name + " is too large for " + what);
+    if (text.size() > kMaxBytes)
+      throw UsageError(name + " is larger than " + std::to_string(kMaxBytes >> 20) +
+                       " MiB, too large for " + what);
   }
   if (std::ferror(in.get())) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
   if (isUtf16(text)) throw UsageError(name + " is UTF-16; save it as UTF-8");

@@ -7,11 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "tools/command_line/options.h"
+
 namespace link_bounds {
 
 /// The text of a file or of standard input ("-"), without a byte order mark. `what` it must be,
 /// such as "a URDF". Throws UsageError with the reason.
 std::string readText(const std::string& file, const std::string& what);
+
+/// An error about what the file says.
+UsageError faultIn(const std::string& file, const std::exception& fault);
 
 /// Refuses to overwrite what is read: throws UsageError if `output` is one of these files. Empty
 /// names stand for none, "-" for standard input. One file may have several names: links, and paths

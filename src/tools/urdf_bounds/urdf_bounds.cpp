@@ -172,10 +172,6 @@ Outcome runProof(const UrdfBoundsOptions& options, const Robot& robot) {
   return outcome;
 }
 
-UsageError faultIn(const std::string& file, const std::exception& fault) {
-  return UsageError((file == "-" ? "standard input" : file) + ": " + fault.what());
-}
-
 Robot readRobot(const std::string& file) {
   const std::string text = readText(file, "a URDF");
   try {

@@ -130,7 +130,7 @@ class ArgumentsTest(BagBoundsTest):
     def test_refused_robots(self):
         bag = self.bag(arms(3))
         text = self.write('a.urdf', 'text')
-        self.check_refused('robot_description|URDF', bag, '--urdf', text)
+        self.check_refused('a.urdf: the robot description is not a usable URDF', bag, '--urdf', text)
         bare = self.write('bare.urdf', robot(['<link name="base"/>'], []))
         self.check_refused('no link of the robot has geometry of the kind collision', bag, '--urdf',
                            bare, '--geometry', 'collision')

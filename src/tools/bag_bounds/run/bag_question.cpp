@@ -88,7 +88,13 @@ BagQuestion::BagQuestion(const BagBoundsOptions& options)
 Model BagQuestion::makeModelOf(const std::string& urdf) {
   Parameters parameters = options_.parameters;
   parameters.distance_limit = options_.distances.value_or(0);
-  Model model = makeModel(urdf, parameters, loader_, mesh_source_);
+  Model model = [&] {
+    try {
+      return makeModel(urdf, parameters, loader_, mesh_source_);
+    } catch (const RobotError& error) {
+      throw faultIn(options_.urdf, error);
+    }
+  }();
   if (model.links.empty())
     throw UsageError("no link of the robot has geometry of the kind " +
                      options_.parameters.geometry + "; choose another --geometry");
