@@ -15,7 +15,7 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments  # noqa: E402
+from demo_arguments import check_arguments, run  # noqa: E402
 
 SLOWER = 0.8  # times, with each message: the boxes shrink with the speed
 FASTER, LONGEST = 1.0, 0.2  # plus in a second, but for at most that many seconds between messages
@@ -46,8 +46,12 @@ class Slower:
         self.publisher.publish(self.speed)
 
 
-if __name__ == '__main__':
+def main():
     check_arguments(__doc__)
     rospy.init_node('arm_slower')
-    slower = Slower()
+    slower = Slower()  # noqa: F841
     rospy.spin()
+
+
+if __name__ == '__main__':
+    run(main)

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -93,8 +94,11 @@ class RobotLoading {
 
   bool hasFailed() const { return has_failed_; }
 
-  /// Why the first load failed for good; "" if it did not.
-  std::string failure() const { return has_failed_ ? failure_ : ""; }
+  /// Why nothing can be loaded; "" before that is known, and once something was loaded.
+  std::string failure() const {
+    const std::lock_guard<std::mutex> lock(failure_mutex_);
+    return failure_;
+  }
 
   /// For other work that takes long.
   Worker& worker() { return worker_; }
@@ -107,8 +111,8 @@ class RobotLoading {
       firstLoad();
     } catch (const std::exception& error) {
       if (worker_.isStopping()) return false;
-      failure_ = logText(error.what());
-      ROS_FATAL("%s", failure_.c_str());
+      setFailure(logText(error.what()));
+      ROS_FATAL("%s", logText(error.what()).c_str());
       has_failed_ = true;
       handlers_.on_failure();
     }
@@ -164,7 +168,13 @@ class RobotLoading {
     ROS_INFO("%s", summary.c_str());
     has_loaded_ = hand_over_.give(made) || has_loaded_;
     refused_.clear();
+    setFailure("");
     return made;
+  }
+
+  void setFailure(const std::string& reason) {
+    const std::lock_guard<std::mutex> lock(failure_mutex_);
+    failure_ = reason;
   }
 
   static void warn(const std::vector<std::string>& warnings) {
@@ -180,6 +190,7 @@ class RobotLoading {
       response.success = true;
     } catch (const std::exception& error) {
       const std::string reason = logText(error.what());
+      if (!has_loaded_) setFailure(reason);
       parameters_ = old_parameters;
       refused_ = old_refused;
       waits_for_description_ = !has_loaded_;
@@ -213,7 +224,8 @@ class RobotLoading {
   XmlRpc::XmlRpcValue refused_;  ///< a description that cannot be used, while it goes on
   std::atomic<bool> waits_for_description_{false};
   std::atomic<bool> has_failed_{false};
-  std::string failure_;  ///< never changed once has_failed_ is true
+  mutable std::mutex failure_mutex_;
+  std::string failure_;
   HandOver<Made> hand_over_;
   Worker worker_;  ///< after all that its thread uses
   ros::ServiceServer reload_service_;

@@ -95,6 +95,7 @@ struct LiveObject {
   ros::Duration lifetime;     ///< that of the last receipt
   std::string sender;         ///< the publisher of the last receipt
   bool is_silent = false;     ///< a neighbour's: nothing was received for `timeout`
+  bool was_static = false;    ///< and see LiveObjects::endStatic()
   /// Unless it is known, the object has a box, but where it is on a link is not known.
   StampTime stamp_time = StampTime::kKnown;
   std::int64_t waiting_since = 0;   ///< for the transform at its stamp

@@ -55,7 +55,7 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.waiting_since = object.received;
   object.lifetime = content.lifetime;
   object.sender = content.publisher;
-  object.is_silent = false;
+  object.is_silent = object.was_static = false;
   if (object.problem != TransformProblem::kWaiting) object.unplaced_since = object.received;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
   const bool is_same = !is_new && isSame(*object.content, content);
@@ -117,6 +117,7 @@ bool LiveObjects::endStatic(const ObjectKey& key, ros::Time now) {
   LiveObject& object = found->second;
   auto content = std::make_shared<ObjectContent>(*object.content);
   content->is_static = false;
+  object.was_static = true;
   object.content = std::move(content);
   object.received = clock_.observe(now);
   return refresh(object, now);
@@ -239,7 +240,8 @@ bool LiveObjects::expire(ros::Time now) {
   const std::int64_t time = clock_.observe(now);
   bool is_changed = removeIf([&](const auto& entry) {
     const LiveObject& object = entry.second;
-    return hasExpired(object, time) || (object.is_silent && isSilent(object, time, kForget));
+    return hasExpired(object, time) ||
+           (object.is_silent && !object.was_static && isSilent(object, time, kForget));
   });
   if (!fixed_frame_) return is_changed;
   for (auto& [key, object] : objects_) {

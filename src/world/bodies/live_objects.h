@@ -53,7 +53,7 @@ class LiveObjects {
   bool remove(const ObjectKey& key);
   /// By its name; null if none has the mesh.
   const LiveObject* firstWithMesh(const std::string& uri) const;
-  /// A neighbour's that is static falls silent, too, from now on.
+  /// A neighbour's that is static falls silent, too, from now on. Its name stays then.
   bool endStatic(const ObjectKey& key, ros::Time now);
   /// All objects of markers. Neighbours stay: they end with the messages of their sender.
   bool removeAll();

@@ -54,14 +54,21 @@ bool NeighbourSets::isNewRobot(const Sender& sender, const std::set<std::string>
   return !links.empty() && std::none_of(sender.sets.begin(), sender.sets.end(), has_links);
 }
 
-/// Whether the set has one of the boxes, under either of its names.
-bool NeighbourSets::hasOneOf(const Set& set, const std::string& sender,
-                             const NeighbourBoxes& boxes) {
-  const auto has = [&](const std::string& box) {
-    return set.keys.count(keyOf(neighbourName(sender, box), set.number)) > 0;
-  };
-  return std::any_of(boxes.contents.begin(), boxes.contents.end(), [&](const auto& entry) {
-    return has(entry.first) || has(boxes.frame + '/' + entry.first);
+/// Whether the boxes have all that the set has, what is static in the same place.
+bool NeighbourSets::haveAllOf(const NeighbourBoxes& boxes, const std::string& sender,
+                              const Set& set) const {
+  std::map<ObjectKey, const ObjectContent*> sent;
+  for (const auto& [box, content] : boxes.contents) {
+    for (const std::string& name : {box, boxes.frame + '/' + box})
+      sent.emplace(keyOf(neighbourName(sender, name), set.number), &content);
+  }
+  return std::all_of(set.keys.begin(), set.keys.end(), [&](const ObjectKey& key) {
+    const auto now = sent.find(key);
+    const auto before = objects_.objects().find(key);
+    if (before == objects_.objects().end()) return true;
+    const ObjectContent& content = *before->second.content;
+    const bool stays = content.is_static && content.refused_name.empty();
+    return now != sent.end() && (!stays || isSameBody(content, *now->second));
   });
 }
 
@@ -92,7 +99,7 @@ NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const std::string& name
   for (auto set = sets.begin(); set != sets.end();) {
     const bool is_same = is_empty || share(set->links, links) ||
                          (set->links.empty() && links.empty()) ||
-                         (is_new && set->links.empty() && hasOneOf(*set, name, boxes));
+                         (is_new && set->links.empty() && haveAllOf(boxes, name, *set));
     if (!is_same || !canBeSame(set->frame, boxes.frame)) {
       ++set;
       continue;

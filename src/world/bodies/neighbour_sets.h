@@ -30,10 +30,10 @@ using HasLeft = std::function<bool(const std::string& node)>;
 /// A sender may be a relay that passes on the boxes of several robots. So a set is what a sender
 /// says in one frame of links of which at least one is the same in each message. Messages without
 /// links are one more set of their sender and frame, which becomes that of a robot whose first
-/// message names one of the same boxes. An empty message of a sender that was started again does
-/// not end what it had before: it may not know its robot yet. Once it has sent boxes, what it does
-/// not send again falls silent, also what is static. Functions return true if a box, a stamp or an
-/// incomplete name changed.
+/// message has all of its boxes, the static ones in the same place. An empty message of a sender
+/// that was started again does not end what it had before: it may not know its robot yet. Once it
+/// has sent boxes, what it does not send again falls silent, also what is static. Functions return
+/// true if a box, a stamp or an incomplete name changed.
 class NeighbourSets {
  public:
   /// How long after the end of a connection [s] its boxes go, unless a new one brings a message:
@@ -75,7 +75,7 @@ class NeighbourSets {
 
   static bool isNewRobot(const Sender& sender, const std::set<std::string>& links,
                          const std::string& frame);
-  static bool hasOneOf(const Set& set, const std::string& sender, const NeighbourBoxes& boxes);
+  bool haveAllOf(const NeighbourBoxes& boxes, const std::string& sender, const Set& set) const;
   bool endStatic(Sender& sender, ros::Time now);
   Set* setOf(Sender& sender, const std::string& name, const NeighbourBoxes& boxes,
              bool& is_changed);

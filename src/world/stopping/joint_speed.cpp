@@ -25,6 +25,8 @@ constexpr double kPositionNoise = 1e-4;  // rad or m, of encoders
 
 constexpr double kSpeedRounding = 1e-12;  // relative
 
+constexpr std::int64_t kPieces = 5;  // of a window, see piecesOf()
+
 /// Two values and the time between them.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
   const double time = static_cast<double>(nanoseconds) / kSecond;
@@ -93,6 +95,21 @@ bool contradict(const std::vector<JointReport>& reports, const TimedValues& posi
   return false;
 }
 
+/// How far the ways that positions and velocities tell differ, from any report of the last piece to
+/// the last report.
+double differenceAtEnd(const std::vector<JointReport>& reports, const TimedValues& positions,
+                       std::int64_t window) {
+  const std::size_t last = reports.size() - 1;
+  double told = 0, largest = 0;
+  for (std::size_t k = last; k > 0; --k) {
+    told += wayOf(reports[k - 1], reports[k]);
+    const double way = positions.values[last] - positions.values[k - 1];
+    largest = std::max(largest, std::abs(way - told));
+    if (reports[last].stamp - reports[k - 1].stamp >= window / kPieces) break;
+  }
+  return largest;
+}
+
 /// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
 /// send zeros for what it does not measure, so the speeds of the positions count, too; where they
 /// show that the velocities are wrong, with what the joint may have gained in a piece.
@@ -116,6 +133,9 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   if (of_positions.piece == 0) return;
   if ((are_zeros && !is_still) || contradict(reports, positions, window))
     state.piece += of_positions.piece;
+  // A speed that is off by e at the end, and changes by up to twice the acceleration, has made a
+  // difference of at least e^2 / 4 a.
+  if (!are_zeros) state.unseen = 2 * differenceAtEnd(reports, positions, window);
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }

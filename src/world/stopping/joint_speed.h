@@ -20,8 +20,8 @@ struct JointState {
   SpeedRange speed;              ///< all mean speeds of pieces of a window, see piecesOf()
   /// The longest of these pieces, and twice the time from the last report to the stamp [s].
   double piece = 0;
-  /// How far it may have come from rest without that a speed tells [rad or m]: velocities may be
-  /// zeros of a driver that measures none.
+  /// By how much its way may differ from what the speeds tell [rad or m]: velocities may be late,
+  /// or zeros of a driver that measures none. It may have sped up along that way.
   double unseen = 0;
   std::string problem;  ///< why it is not known, with the remedy
 };

@@ -25,6 +25,7 @@ struct Thing {
   bool stays = false;  ///< it is static; without a box, as all boxes beside it
   ros::Time heard = {};
   std::optional<ros::Time> silent_since = {};
+  bool was_static = false;  ///< its name stays until ~reload
 };
 
 struct ModelSet {
@@ -77,7 +78,7 @@ class NeighbourSequencesTest : public NeighboursTest {
     takeMarker(Marker::DELETEALL, {kDrawingsNamespace, 0}, publisher);
   }
 
-  /// A robot has come, and one of the objects that were there without it is named with it.
+  /// A robot has come, and all objects that were there without it are there with it.
   bool isOfNewRobot(const ModelSet& set, const std::set<std::string>& links,
                     const std::map<std::string, Thing>& things) {
     if (!set.links.empty() || links.empty()) return false;
@@ -86,11 +87,15 @@ class NeighbourSequencesTest : public NeighboursTest {
       for (const std::string& link : links)
         if (other.links.count(link) && other.start == starts_[set.sender]) return false;
     }
-    for (const Thing& thing : set.things)
+    for (const Thing& thing : set.things) {
+      bool is_there = false;
       for (const auto& [box, sent] : things)
         for (const std::string& name : {box, set.frame + "/" + box})
-          if (thing.name == set.sender + "/" + name) return true;
-    return false;
+          is_there |= thing.name == set.sender + "/" + name &&
+                      (!thing.stays || thing.is_refused_name || thing.x == sent.x);
+      if (!is_there) return false;
+    }
+    return true;
   }
 
   /// The set that a message belongs to; null if that is unknown.
@@ -164,6 +169,7 @@ class NeighbourSequencesTest : public NeighboursTest {
       for (Thing& thing : set.things) {
         if (!thing.stays) continue;
         thing.stays = thing.is_static = false;
+        thing.was_static = true;
         thing.heard = now_;
         thing.silent_since.reset();
       }
@@ -200,7 +206,8 @@ class NeighbourSequencesTest : public NeighboursTest {
       for (const Thing& thing : set->things) {
         const auto& silent = thing.silent_since;
         const bool is_over = silent && now_ - *silent > ros::Duration(seconds);
-        if (!is_over || thing.stays) rest.push_back(thing);
+        const bool is_kept = thing.stays || (thing.was_static && seconds > 0);
+        if (!is_over || is_kept) rest.push_back(thing);
       }
       set->things = rest;
       set = rest.empty() ? sets_.erase(set) : std::next(set);

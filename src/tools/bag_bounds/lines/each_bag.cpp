@@ -330,10 +330,10 @@ int EachBag::finish() const {
   const auto count = [](const auto& entry) {
     return std::to_string(entry.second) + " " + verdictOf(entry.first);
   };
-  const bool accepts_open = worst == kOpen && exit_codes_.count(kOpen) > 0;
-  if (worst != 0 && !exit_codes_.empty())
+  const bool may_be_accepted = worst == kOpen && !isInterrupted();
+  if (worst_ != 0)
     say(joined(exit_codes_, ", ", count) + "; the lines say why" +
-        (accepts_open ? "; --allow-incomplete accepts what is incomplete" : ""));
+        (may_be_accepted ? "; --allow-incomplete accepts what is incomplete" : ""));
   return worst;
 }
 

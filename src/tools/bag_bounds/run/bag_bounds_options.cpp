@@ -57,7 +57,8 @@ as one, by their record times.
                       options are unchanged; may be given several times
   --merge             makes one report of files of lines: worst bags, pairs and zones
   --strict            exit with 2 if any geometry could not be used
-  --allow-incomplete  what is incomplete does not change the exit code
+  --allow-incomplete  what is incomplete does not change the exit code, unless Ctrl-C or SIGTERM
+                      ended the run
   -h, --help          this text
   --version           the version of link_bounds
 
@@ -70,7 +71,7 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
      --objects has no message, or only ignored ones, not all distances are known, a motion between
      two messages is undecided, a transform came late or a static one replaced another, nothing was
      compared, or a part of the bags was not read: damage, transforms or objects that were left
-     out, or interrupted
+     out; in any case: interrupted
   2  see --strict
   0  everything was answered, and nothing was found
 With --each and --merge it is the first of these that applies to any bag; a file of lines that ends

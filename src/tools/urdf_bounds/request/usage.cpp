@@ -74,7 +74,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --strict            exit with 2 if any geometry could not be used; of --poses: with 1 if a joint has
                       no column, a column is none of a joint, or a value is no number or is outside
                       the limits of its joint, also between two rows of --path
-  --allow-incomplete  what is incomplete or not decided does not change the exit code
+  --allow-incomplete  what is incomplete or not decided does not change the exit code, unless
+                      Ctrl-C or SIGTERM ended the run
   -h, --help          this text
   --version           the version of link_bounds
 
@@ -84,7 +85,7 @@ Lengths are metres. Exit code, the first that applies:
      --path COLLIDES
   4  of --distances, --poses, --path, --reach and --pairs without --allow-incomplete: a mesh is
      missing or something else is incomplete, a pair or segment is UNDECIDED, the accuracy was not
-     reached, a row was left out, or nothing was looked at
+     reached, a row was left out, or nothing was looked at; of any run that was interrupted
   2  see --strict
   0  everything was answered and holds
 )";
