@@ -38,9 +38,11 @@ class PosedRobot {
   /// that follow each other in a circle or follow no joint, and what withSimpleJoints() throws.
   PosedRobot(const Robot& robot, const BoundedRobot& bounded);
 
-  /// One value per joint [rad or m], finite; floating and planar joints are joints of one value
-  /// each, see withSimpleJoints(). Values of mimic joints are replaced by what they follow. Throws
-  /// JointError if a joint without an axis has another value than 0.
+  /// With floating and planar joints as joints of one value each, see withSimpleJoints().
+  const Robot& robot() const { return robot_; }
+
+  /// One value per joint of robot() [rad or m], finite; those of mimic joints are replaced by what
+  /// they follow. Throws JointError if a joint without an axis has another value than 0.
   void move(std::vector<double> values);
 
   /// Of the links of BoundedRobot, in the frame of the root link. Before the first move(), and for
