@@ -92,6 +92,7 @@ class RobotLoading {
   bool waitsForDescription() const { return waits_for_description_; }
   std::string descriptionName() const { return description_.name(); }
 
+  /// True if the first load failed for good.
   bool hasFailed() const { return has_failed_; }
 
   /// Why nothing can be loaded; "" before that is known, and once something was loaded.

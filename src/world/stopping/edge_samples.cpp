@@ -11,8 +11,6 @@ namespace {
 constexpr double kStillRounding = 1e-9;   // m, and of the numbers of a rotation
 constexpr double kChainRounding = 4e-15;  // of the length of a translation: some 20 roundings
 
-constexpr std::int64_t kMinPieces = 5;  // in a window
-
 }  // namespace
 
 EdgeSamples edgeSamples(const TransformBuffer& tf, TransformBuffer::Frame child, std::int64_t stamp,

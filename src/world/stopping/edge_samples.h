@@ -13,6 +13,7 @@
 namespace link_bounds {
 
 constexpr double kSecond = 1e9;          // ns
+constexpr std::int64_t kMinPieces = 5;   // in a window
 constexpr double kStampRounding = 1e-9;  // s, of the difference of two stamps
 
 /// A pose at a time [ns].

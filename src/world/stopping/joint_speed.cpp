@@ -25,8 +25,6 @@ constexpr double kPositionNoise = 1e-4;  // rad or m, of encoders
 
 constexpr double kSpeedRounding = 1e-12;  // relative
 
-constexpr std::int64_t kPieces = 5;  // of a window, see piecesOf()
-
 /// Two values and the time between them.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
   const double time = static_cast<double>(nanoseconds) / kSecond;
@@ -105,7 +103,7 @@ double differenceAtEnd(const std::vector<JointReport>& reports, const TimedValue
     told += wayOf(reports[k - 1], reports[k]);
     const double way = positions.values[last] - positions.values[k - 1];
     largest = std::max(largest, std::abs(way - told));
-    if (reports[last].stamp - reports[k - 1].stamp >= window / kPieces) break;
+    if (reports[last].stamp - reports[k - 1].stamp >= window / kMinPieces) break;
   }
   return largest;
 }

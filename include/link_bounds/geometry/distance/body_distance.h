@@ -19,7 +19,7 @@ enum class DistanceLevel { kBox, kHull, kMesh };
 struct BodyDistance {
   /// Proven: no point of one body is nearer to the other. 0: they may touch.
   double lower;
-  /// At least the distance of the bodies: that of the two points before these are rounded.
+  /// At least the distance of the bodies: that of on_first and on_second before these are rounded.
   double upper;
   Eigen::Vector3d on_first;  ///< a point of the first body
   Eigen::Vector3d on_second;
