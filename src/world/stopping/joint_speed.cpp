@@ -114,7 +114,7 @@ double differenceAtEnd(const std::vector<JointReport>& reports, const TimedValue
 void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp,
                        const TimedValues& positions, std::int64_t window, JointState& state) {
   JointState of_positions;
-  if (reports.size() > 1) addSpeeds(positions, window, of_positions);
+  addSpeeds(positions, window, of_positions);
   state.speed = {*reports.front().velocity, *reports.front().velocity};
   std::int64_t gap = std::abs(stamp - reports.front().stamp);
   for (const JointReport& report : reports) {
@@ -129,11 +129,13 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   const bool are_zeros = areZeros(reports);
   if (are_zeros && is_still) state.unseen = kPositionNoise;
   if (of_positions.piece == 0) return;
-  if ((are_zeros && !is_still) || contradict(reports, positions, window))
+  if ((are_zeros && !is_still) || contradict(reports, positions, window)) {
     state.piece += of_positions.piece;
-  // A speed that is off by e at the end, and changes by up to twice the acceleration, has made a
-  // difference of at least e^2 / 4 a.
-  if (!are_zeros) state.unseen = 2 * differenceAtEnd(reports, positions, window);
+  } else if (!are_zeros) {
+    // A speed that is off by e at the end, and changes by up to twice the acceleration, has made a
+    // difference of at least e^2 / 4 a.
+    state.unseen = 2 * differenceAtEnd(reports, positions, window);
+  }
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
@@ -207,7 +209,14 @@ bool addTurns(const std::vector<JointReport>& reports, std::vector<double>& posi
   return true;
 }
 
-/// Of reports that all have a velocity.
+/// One velocity alone may be late or wrong: with the report before it, the positions tell, too.
+std::vector<JointReport> withBefore(std::vector<JointReport> reports,
+                                    const std::optional<JointReport>& before) {
+  if (reports.size() == 1 && before && before->velocity) reports.insert(reports.begin(), *before);
+  return reports;
+}
+
+/// Of two or more reports that all have a velocity.
 void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& reports,
                            std::int64_t stamp, std::int64_t window, JointState& state) {
   TimedValues found = positionsOf(reports);
@@ -286,13 +295,15 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   const bool is_any_late = reports.size() < all_reports.size();
   const JointReport* const nearest = nearestReport(reports, stamp);
   const bool are_told = have_velocities && (!areZeros(reports) || restedSince(before, reports));
-  if (!nearest || std::abs(stamp - nearest->stamp) > window ||
+  const std::vector<JointReport> told =
+      have_velocities ? withBefore(reports, before) : std::vector<JointReport>();
+  if (!nearest || std::abs(stamp - nearest->stamp) > window || told.size() == 1 ||
       (!are_told && !tellSpeed(withoutLate(all_reports, stamp, window), window))) {
     state.problem = whyTooRare(joint);
     return state;
   }
   if (have_velocities) {
-    addSpeedsOfVelocities(joint, reports, stamp, window, state);
+    addSpeedsOfVelocities(joint, told, stamp, window, state);
     if (!state.problem.empty()) return state;
   } else {
     addSpeedsOfPositions(reports, stamp, window, state);

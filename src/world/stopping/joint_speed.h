@@ -33,10 +33,11 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
                       std::int64_t window);
 
 /// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The
-/// speeds are those that were reported and those of the positions. Where a report has none, or all
-/// are 0, as some drivers send it for what they do not measure, the latter alone tell: then no two
-/// may be farther apart than the window; or, with all 0, the last report `before` the window had
-/// the same position, so the joint rested.
+/// speeds are those that were reported and those of the positions; a single report is looked at
+/// together with the last one `before` the window, and is a problem without it. Where a report has
+/// no velocity, or all are 0, as some drivers send it for what they do not measure, the positions
+/// alone tell: then no two may be farther apart than the window; or, with all 0, the report
+/// `before` the window had the same position, so the joint rested.
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& reports, std::int64_t stamp,
                       std::int64_t window, const std::optional<JointReport>& before = {});

@@ -227,7 +227,8 @@ TEST(JointState, ZeroVelocityOfOneReportIsNoRest) {
   const Joint joint = randomJoint(Motion::kTranslation, random);
   for (const double velocity : {0.0, 1e-9}) {
     const Reports one{{kEnd, 0, velocity}};
-    const JointState state = jointState(joint, joint.parent_from_joint, one, kEnd, kWindow);
+    const JointReport before{kEnd - 2 * kWindow, 0.01, velocity};
+    const JointState state = jointState(joint, joint.parent_from_joint, one, kEnd, kWindow, before);
     EXPECT_EQ(state.problem.empty(), velocity != 0) << state.problem;
   }
   for (const double moved : {0.0, 0.9e-4, 1.1e-4}) {
@@ -239,6 +240,51 @@ TEST(JointState, ZeroVelocityOfOneReportIsNoRest) {
       EXPECT_GT(state.unseen, 0);
     }
   }
+}
+
+/// Of a driver that filters velocities for 0.1 s and sends them every 0.1 s, while a joint speeds
+/// up from rest.
+TEST(JointState, OneVelocityOfAWindowIsBelievedAsFarAsThePositionsTell) {
+  constexpr double kAcceleration = 10, kFilter = 0.1;
+  constexpr std::int64_t kLongPeriod = 2 * kWindow;
+  Random random(14);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  for (double time = 0.01; time < 0.5; time += 0.01) {
+    const auto report = [&](double at, std::int64_t stamp) {
+      const double since = std::max(at, 0.0);
+      const double late = kFilter * (1 - std::exp(-since / kFilter));
+      return JointReport{stamp, kAcceleration / 2 * since * since, kAcceleration * (since - late)};
+    };
+    const JointReport last = report(time, kEnd);
+    const JointReport before = report(time - 2 * kWindow / 1e9, kEnd - kLongPeriod);
+    const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, last.position);
+    EXPECT_NE(jointState(joint, pose, {last}, kEnd, kWindow).problem, "") << "nothing supports it";
+    const JointState state = jointState(joint, pose, {last}, kEnd, kWindow, before);
+    ASSERT_EQ(state.problem, "");
+    EXPECT_GE(speedAtStamp(state, kAcceleration).upper, kAcceleration * time) << time;
+  }
+  const Reports steady = reportsOf(0.5, 1.5, true);
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 0.5);
+  const JointReport before{kEnd - kLongPeriod, 0.5 - 1.5 * 0.1, 1.5};
+  const JointState state = jointState(joint, pose, {steady.back()}, kEnd, kWindow, before);
+  EXPECT_NEAR(speedAtStamp(state, kAcceleration).upper, 1.5, 1e-3) << "measured and steady";
+}
+
+/// A trapezoid of velocities that jump is wrong by more than the joint can gain, which the
+/// positions alone bound.
+TEST(JointState, WhatPositionsBoundIsNotWidenedByWrongVelocities) {
+  constexpr double kAcceleration = 10;
+  Random random(15);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 0.5);
+  Reports wrong = reportsOf(0.5, 1.5, true);
+  for (JointReport& report : wrong)
+    report.velocity = 0.1;
+  const SpeedRange speed =
+      speedAtStamp(jointState(joint, pose, wrong, kEnd, kWindow), kAcceleration);
+  const SpeedRange expected = speedAtStamp(
+      jointState(joint, pose, reportsOf(0.5, 1.5, false), kEnd, kWindow), kAcceleration);
+  EXPECT_NEAR(speed.upper, expected.upper, 1e-6);
 }
 
 TEST(JointStates, TellTheLastReportBeforeAStamp) {
