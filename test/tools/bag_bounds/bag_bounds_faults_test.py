@@ -230,8 +230,9 @@ class BagsTest(BagBoundsTest):
                 self.assertIn('--series is the file of --out', done[2])
 
     def test_nothing_between_start_and_end(self):
-        code, _, err = run(self.bag(arms(10)), '--urdf', self.urdf, '--start', '100')
+        code, out, err = run(self.bag(arms(10)), '--urdf', self.urdf, '--start', '100')
         self.assertEqual(code, 1)
+        self.assertIn('from 100.000 to 100.000\n', out)
         self.assertRegex(err, 'nothing was recorded between --start and --end; .* end 0.180 s')
 
     def test_compressed_bags_are_read_alike(self):

@@ -290,7 +290,7 @@ BagReport BagRun::report() const {
   report.left_out = model_->left_out;
   report.begin = begin_;
   report.from = std::max(from_, begin_);
-  report.to = last_;
+  report.to = std::max(report.from, last_);
   report.messages = messages_;
   report.boxes = boxes_.records();
   addCoverage(report.boxes);
