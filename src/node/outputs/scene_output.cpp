@@ -109,8 +109,9 @@ void SceneOutput::giveMarkers() {
   if (const auto moment = current()) optional_.giveMarkers(moment);
 }
 
+/// Where what was newest is gone, the stamp is an older one, and nothing was late.
 void SceneOutput::recordLag(ros::Time stamp) {
-  if (stamp.isZero() || stamp == std::exchange(last_stamp_, stamp)) return;
+  if (stamp.isZero() || stamp <= std::exchange(last_stamp_, stamp)) return;
   const double lag = (ros::Time::now().toSec() - stamp.toSec()) * 1e3;
   lag_ms_ = std::max(lag, lag_ms_.value_or(lag));
 }

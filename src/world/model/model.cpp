@@ -12,6 +12,7 @@
 #include "robot/bounded_robot.h"
 #include "robot/urdf/trimmed.h"
 #include "world/model/object_key.h"
+#include "world/tf/edge_history.h"
 
 namespace link_bounds {
 namespace {
@@ -24,7 +25,7 @@ SceneGroup allLinks(std::size_t count) {
   return group;
 }
 
-/// The links that can be members of groups.
+/// The links that can be members of groups. One without any geometry adds nothing to a group.
 struct KnownLinks {
   std::map<std::string, std::size_t> bounded;
   std::set<std::string> without_geometry;
@@ -57,17 +58,13 @@ std::vector<SceneGroup> makeGroups(std::size_t links, const Parameters& paramete
   return groups;
 }
 
-bool isAsked(const Link& link, const Selection& selection) {
-  return (selection.visual && hasGeometry(link, Purpose::kVisual)) ||
-         (selection.collision && hasGeometry(link, Purpose::kCollision));
-}
-
-KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& selection) {
+KnownLinks knownLinks(const Robot& robot, const Model& model) {
   KnownLinks known;
   for (std::size_t i = 0; i < model.links.size(); ++i)
     known.bounded[model.links[i].name] = i;
   for (const Link& link : robot.links) {
-    if (!isAsked(link, selection)) known.without_geometry.insert(link.name);
+    if (!hasGeometry(link, Purpose::kVisual) && !hasGeometry(link, Purpose::kCollision))
+      known.without_geometry.insert(link.name);
   }
   return known;
 }
@@ -245,7 +242,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   for (const BoundedLink& link : model.links) {
     model.frames.push_back(tfName(parameters.tf_prefix, link.name));
   }
-  model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
+  model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model));
   model.bodies = bodiesOf(robot, bounded.indices);
   model.robot = std::make_shared<const Robot>(robot);
   model.robot_links = bounded.indices;
@@ -276,6 +273,12 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
     model.warnings.push_back(
         "parameter ~distance_warning is larger than ~distance_limit, beyond which nothing is "
         "measured; raise ~distance_limit");
+  }
+  constexpr double kHistory = static_cast<double>(EdgeHistory::kLength) / 1e9;
+  if (parameters.swept_span >= kHistory) {
+    model.warnings.push_back(
+        "parameter ~swept_span is no shorter than the ten seconds that tf remembers, so ~swept has "
+        "no box of what moves; lower it");
   }
   model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
   return model;

@@ -154,6 +154,25 @@ class DiagnosticsTest(unittest.TestCase):
                 r"boxes were up to \d{4} ms old", status.message), "boxes that are old")
         self.assertGreater(float(value_of(status, LAG)), 5000)
 
+    def test_what_was_newest_and_goes_leaves_no_box_that_was_late(self):
+        rospy.set_param("/robot_description", robot([box_link("base", (1, 2, 3))], []))
+        node = NodeProcess("newest", timeout=0.0)
+        self.addCleanup(node.end)
+        statuses = Diagnostics(node.name)
+        objects = ObjectSender(node.name)
+
+        def wait_for(count):
+            return statuses.wait_for_new(
+                lambda _, status: value_of(status, "objects") == str(count), "%d objects" % count)
+
+        objects.send(marker("old/1", stamp=rospy.Time.now() - rospy.Duration(30)))
+        self.assertGreater(float(value_of(wait_for(1), LAG)), 30000)
+        objects.send(marker("new/1", stamp=rospy.Time.now()))
+        wait_for(2)
+        objects.send(deletion("new/1"))
+        lag = value_of(wait_for(1), LAG)
+        self.assertTrue(lag == "none" or float(lag) < 20000, lag)
+
     def start_fresh(self, name="fresh", **parameters):
         """A node of its own: the longest callback counts since its start."""
         rospy.set_param("/robot_description", robot([box_link("base", (1, 2, 3))], []))

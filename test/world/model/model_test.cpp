@@ -73,6 +73,23 @@ TEST(Model, GroupsFollowTheRobotInAlphabeticalOrder) {
   EXPECT_FALSE(model.groups[2].lacks_members) << "a link without geometry is not missing";
 }
 
+/// Its box would not hold a link that was named.
+TEST(Model, AMemberWithGeometryOfTheOtherKindMakesAGroupIncomplete) {
+  Parameters parameters;
+  parameters.groups = {{"tool", {"arm", "base"}}};
+  EXPECT_FALSE(modelWith(parameters).groups[1].lacks_members);
+  parameters.geometry = "collision";
+  EXPECT_TRUE(modelWith(parameters).groups[1].lacks_members);
+}
+
+TEST(Model, ASpanThatTfDoesNotRememberIsWarnedOf) {
+  Parameters parameters;
+  for (const double span : {0.0, 9.9, 10.0, 1e5}) {
+    parameters.swept_span = span;
+    EXPECT_EQ(modelWith(parameters).warnings.size(), span < 10 ? 0u : 1u) << span;
+  }
+}
+
 TEST(Model, UnknownMembersMakeAGroupIncomplete) {
   Parameters parameters;
   parameters.groups = {{"a", {"base", "typo"}}, {"b", {"base", "scene/*"}}, {"c", {"scene/1"}}};
