@@ -69,12 +69,12 @@ std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
 
 /// Why it may be elsewhere on the link to which it is attached, or will be; "" if not.
 std::string BodyWays::whyNotHeld(const PastBody& body, Frame mover, const FramePose& start,
-                                 const BodyWay& way) const {
+                                 std::int64_t pose_stamp) const {
   if (mover == *body.frame) return "";
   const std::string remedy = "; let it follow a frame of that link, with stamp 0";
   if (body.is_outdated && start.stamp != 0)
     return "its place may be of a time before the clock jumped back" + remedy;
-  if (start.stamp != 0 && start.stamp != way.stamp)
+  if (start.stamp != 0 && start.stamp != pose_stamp)
     return "its place is of another time than that of the link to which it is attached" + remedy;
   if (body.frame_from_body && *body.frame == scene_.target) return "";
   for (const Frame edge : edgesBetween(tf_, mover, *body.frame)) {
@@ -93,7 +93,8 @@ BodyWay BodyWays::find(const PastBody& body) {
     return way;
   }
   const bool was_placed = body.frame_from_body && *body.frame == scene_.target;
-  way.stamp = was_placed || own.stamp == 0 ? body.stamp : own.stamp;
+  const std::int64_t pose_stamp = was_placed ? body.stamp : own.stamp;
+  way.stamp = olderStamp(pose_stamp, body.stamp);
   way.pose = own.fixed_from_frame.affine;
   if (body.frame_from_body)
     way.pose = was_placed ? *body.frame_from_body : way.pose * *body.frame_from_body;
@@ -109,7 +110,7 @@ BodyWay BodyWays::find(const PastBody& body) {
   }
   way.has_pose = true;
   way.known = std::min(knownSince(*body.frame, way.stamp), knownSince(*mover, way.stamp));
-  way.problem = whyNotHeld(body, *mover, start, way);
+  way.problem = whyNotHeld(body, *mover, start, pose_stamp);
   if (!way.problem.empty()) {
     way.is_placed = !isContact();
     return way;
@@ -127,11 +128,13 @@ BodyWay BodyWays::find(const PastBody& body) {
   return way;
 }
 
-/// The stamp, or when the transforms of the way came, if that was earlier.
+/// The stamp, less by how much the clock is ahead that stamps the transforms of the way.
 std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
   std::int64_t known = std::min(stamp, static_cast<std::int64_t>(scene_.now.toNSec()));
   for (const Frame edge : edgesBetween(tf_, scene_.target, frame)) {
-    if (tf_.hasParent(edge) && !tf_.isStatic(edge)) known = std::min(known, tf_.received(edge));
+    if (!tf_.hasParent(edge) || tf_.isStatic(edge)) continue;
+    const std::int64_t ahead = tf_.newest(edge) - tf_.received(edge);
+    known = std::min(known, stamp - std::max<std::int64_t>(ahead, 0));
   }
   return known;
 }

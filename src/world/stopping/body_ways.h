@@ -34,8 +34,8 @@ struct WayJoint {
 /// How a body moves.
 struct BodyWay {
   std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all is static
-  /// When the pose was true at the latest [ns]: the stamp, or where that is ahead of the clock,
-  /// when the transforms came.
+  /// When the pose was true at the latest [ns]: the stamp, or where a clock of tf is ahead, as much
+  /// earlier.
   std::int64_t known = 0;
   bool has_pose = false;
   bool is_placed = false;  ///< there is a box: how the body moves is known, or where it stands
@@ -70,7 +70,7 @@ class BodyWays {
   bool isContact() const { return purpose_ == WayPurpose::kContact; }
   std::optional<Frame> moverOf(const PastBody& body) const;
   std::string whyNotHeld(const PastBody& body, Frame mover, const FramePose& start,
-                         const BodyWay& way) const;
+                         std::int64_t pose_stamp) const;
   bool climb(Frame frame, const FramePose& start, BodyWay& way);
   const std::string& groundProblem();
   static void moveInto(const Eigen::Isometry3d& root, BodyWay& way);

@@ -87,6 +87,27 @@ TEST(ContactTimes, AStampAheadOfTheClockDelaysNothing) {
   EXPECT_GE(untilOf(robot.earliest(kStamp + 1)), kStamp + 0.99);
 }
 
+/// left is on a truck whose driver has a clock that is ahead: at its stamp the truck was where it
+/// was that long before.
+TEST(ContactTimes, AClockAheadOnTheWayDelaysNothing) {
+  const std::string along = std::string(R"(<axis xyz="1 0 0"/>)") + kLimit;
+  const std::string urdf = "<robot name=\"truck\"><link name=\"rail\"/><link name=\"truck\"/>" +
+                           sphere("left", 0.1) + sphere("right", 0.1) +
+                           joint("prismatic", "rail", "truck", along) +
+                           joint("prismatic", "truck", "left", along) +
+                           joint("prismatic", "rail", "right", along) + "</robot>";
+  for (const double ahead : {0.0, 0.3, 0.9}) {
+    MovingRobot robot(urdf, parametersOf("rail", 2));
+    stand(robot, {0, 0, 1.2});
+    robot.add("rail", "truck", kStamp + ahead, Eigen::Isometry3d::Identity());
+    const double touch = kStamp + (1.0 - ahead) / 1.5;  // until kStamp truck and left move alone
+    const EarliestContactArray array = robot.earliest();
+    ASSERT_TRUE(array.incomplete.empty());
+    EXPECT_LE(untilOf(array), touch);
+    EXPECT_GE(untilOf(array), touch - 0.01);
+  }
+}
+
 /// A sphere on an arm of 1 m turns by a quarter at 0.5 rad/s until it touches, less what both
 /// spheres take.
 TEST(ContactTimes, AreNearTheTruthForATurn) {

@@ -145,8 +145,9 @@ TEST(StoppingBoxes, HavePaddingAndStampsOfTheBoxes) {
   }
 }
 
-/// As large as the hand, and at its place. A box of another node has the stamp of that.
+/// As large as the hand, and at its place. A box of another node keeps the stamp that it has there.
 TEST(StoppingBoxes, AnObjectThatFollowsALinkMovesWithIt) {
+  constexpr auto kSent = static_cast<std::int64_t>((kStamp - 0.1) * 1e9);
   for (const bool is_neighbour : {false, true}) {
     Robotics robot(goodParameters());
     ObjectContent content;
@@ -154,10 +155,13 @@ TEST(StoppingBoxes, AnObjectThatFollowsALinkMovesWithIt) {
     content.bounded.shapes = {{nullptr, Solid::kBox, {0.1, 0.1, 0.1}, Eigen::Affine3d::Identity()}};
     content.frame = "hand";
     content.is_neighbour = is_neighbour;
-    content.stamp = is_neighbour ? static_cast<std::int64_t>(kStamp * 1e9) : 0;
+    content.stamp = is_neighbour ? kSent : 0;
     robot.scene().objects.put({"held", 1}, content, ros::Time(kStamp));
-    const auto boxes = boxesOf(stoppingOf(robot));
+    const WayBoxes found = stoppingOf(robot);
+    const auto boxes = boxesOf(found);
     ASSERT_EQ(boxes.count("held/1"), 1u);
+    EXPECT_EQ(found.moment->bodies.back().stamp,
+              is_neighbour ? kSent : static_cast<std::int64_t>(kStamp * 1e9));
     EXPECT_TRUE(boxes.at("held/1").isApprox(boxes.at("hand"), 1e-9)) << is_neighbour;
     EXPECT_GT(boxes.at("hand").diagonal().norm(), 0.3);  // it moves
   }
