@@ -70,7 +70,9 @@ std::string wrongValue(const std::string& name, XmlRpcValue& value, const std::s
   const bool is_list_wanted = fault.find("must be a list") == 0 || fault.find("must be a map") == 0;
   const bool is_text = value.getType() == XmlRpcValue::TypeString;
   return "parameter " + name + " is " + valueText(value) + ", but " + fault +
-         (is_list_wanted && is_text ? "; give lists and maps by rosparam or a launch file" : "");
+         (is_list_wanted && is_text
+              ? "; give lists and maps by rosparam, or by <rosparam> in a launch file"
+              : "");
 }
 
 std::vector<std::string> ParameterReader::warnings() const {

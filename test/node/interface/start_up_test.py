@@ -94,7 +94,8 @@ class StartUp(unittest.TestCase):
                 name, _, value = argument.partition(":=")
                 self.check_refused(
                     node, 'parameter ~%s is "%s", but must be a ' % (name[1:], value))
-                self.assertIn("; give lists and maps by rosparam or a launch file", node.output)
+                self.assertIn("; give lists and maps by rosparam, or by <rosparam> in a launch file",
+                              node.output)
 
     def test_whole_numbers_are_accepted(self):
         node = self.start(ARMS, padding=1, marker_color=[1, 0, 0, 1], link_padding={"base": 2})
