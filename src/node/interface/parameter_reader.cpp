@@ -22,6 +22,13 @@ bool isNumber(XmlRpcValue& value) {
   return !text.empty() && end == text.c_str() + text.size();
 }
 
+/// roscpp takes _name:=[a, b] on the command line for a string; so is what stands in no brackets.
+std::string remedyOfText(const std::string& text, bool is_list) {
+  if (text.find_first_of("[{") == 0)
+    return "; give lists and maps by rosparam, or by <rosparam> in a launch file";
+  return is_list ? "; write it as a list, [a, b]" : "; write it as a map, {a: b}";
+}
+
 }  // namespace
 
 std::string fromXml(XmlRpcValue& value, std::string& out) {
@@ -37,7 +44,7 @@ std::string fromXml(XmlRpcValue& value, bool& out) {
 }
 
 std::string fromXml(XmlRpcValue& value, int& out) {
-  if (value.getType() != XmlRpcValue::TypeInt) return "a whole number";
+  if (value.getType() != XmlRpcValue::TypeInt) return "a whole number of at most 2147483647";
   out = static_cast<int&>(value);
   return "";
 }
@@ -65,21 +72,20 @@ std::string fromXml(XmlRpcValue& value, std::vector<std::string>& out) {
   return "";
 }
 
-/// roscpp takes _name:=[a, b] on the command line for a string.
 std::string wrongValue(const std::string& name, XmlRpcValue& value, const std::string& fault) {
-  const bool is_list_wanted = fault.find("must be a list") == 0 || fault.find("must be a map") == 0;
-  const bool is_text = value.getType() == XmlRpcValue::TypeString;
-  return "parameter " + name + " is " + valueText(value) + ", but " + fault +
-         (is_list_wanted && is_text
-              ? "; give lists and maps by rosparam, or by <rosparam> in a launch file"
-              : "");
+  std::string message = "parameter " + name + " is " + valueText(value) + ", but " + fault;
+  const bool is_list = fault.find("must be a list") == 0;
+  std::string text;
+  if ((is_list || fault.find("must be a map") == 0) && fromXml(value, text).empty())
+    message += remedyOfText(text, is_list);
+  return message;
 }
 
 std::vector<std::string> ParameterReader::warnings() const {
   std::vector<std::string> result;
   if (values_.getType() != XmlRpcValue::TypeStruct) return result;
   for (auto& [name, value] : values_) {
-    if (known_.count(name) || name == "diagnostic_period") continue;  // of diagnostic_updater
+    if (known_.count(name)) continue;
     result.push_back("parameter ~" + name + ", which is " + valueText(value) +
                      ", is unknown and ignored; see --help");
   }

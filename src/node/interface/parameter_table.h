@@ -153,7 +153,7 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "namespace");
   visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
   visit("timeout", p.timeout, rules::notNegative,
-        "ROS seconds without a newer stamp on the path of a link; then it is stale: no box, in "
+        "ROS seconds until a link is stale if a frame on its path has no newer stamp: no box, in "
         "incomplete. 0 = never");
   visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
         "goes before link names in tf; if not set here, it is found upwards as "
@@ -174,8 +174,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "links with this many movable joints between them, or fewer, are never a pair, in "
         "any topic or answer; >= 0");
   visit("max_pairs", p.max_pairs, rules::positiveInt,
-        "pairs, > 0, in one message of ~distances: the nearest ones; incomplete names who has "
-        "others, /diagnostics counts those");
+        "pairs, > 0, in one message of ~distances: the nearest ones; who has others is in "
+        "incomplete, and /diagnostics counts those");
   visit("distance_limit", p.distance_limit, rules::length,
         "metres, 0 to 1e6; pairs of bodies with distance <= it are in ~distances");
   visit("distance_accuracy", p.distance_accuracy, rules::positiveLength,
@@ -185,7 +185,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("distance_warning", p.distance_warning, rules::length,
         "metres, 0 to 1e6; /diagnostics warns while ~nearest is at or below it; 0 = never");
   visit("swept_span", p.swept_span, rules::notNegative,
-        "seconds, >= 0, of motion that the boxes of ~swept cover; 0 = none are sent");
+        "seconds, >= 0, of motion that the boxes of ~swept cover, less than 10, which tf "
+        "remembers; 0 = none are sent");
   visit(
       "deceleration", p.deceleration, rules::accelerations,
       "rad/s^2 or m/s^2, > 0, with which each joint brakes at least; without it, the links beyond "
@@ -201,13 +202,14 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("during_reaction", p.during_reaction, rules::duringReaction,
         "until they brake, joints keep their measured speed, or may reach the limit of the URDF");
   visit("velocity_window", p.velocity_window, rules::positive,
-        "seconds, > 0, of transforms from which speeds come; no two may be farther apart");
+        "seconds, > 0, of transforms from which speeds come; one must follow the other within it");
   visit("joint_states", p.joint_states, rules::any<bool>,
-        "speeds of joints come from the topic joint_states, where it has them");
+        "speeds of the joints that the topic joint_states has come from there, others from tf");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "max number of boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");
-  visit("max_mesh_bytes", p.max_mesh_bytes, rules::positiveInt, "bytes of one mesh file, > 0");
+  visit("max_mesh_bytes", p.max_mesh_bytes, rules::positiveInt,
+        "bytes of one mesh file, 1 to 2147483647");
 }
 
 }  // namespace link_bounds

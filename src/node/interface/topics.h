@@ -19,10 +19,11 @@ inline std::string privateName(const TopicName& topic) {
   return topic.name + 1;
 }
 
-constexpr TopicName kBoxesTopic{"~boxes", "link_bounds/AxisAlignedBoxArray",
-                                "with each tf message that brings a new pose or stamp of a bounded "
-                                "link, and whenever an object or incomplete changes; under load "
-                                "once for all messages that wait; limited by max_rate; latched"};
+constexpr TopicName kBoxesTopic{
+    "~boxes", "link_bounds/AxisAlignedBoxArray",
+    "with each tf message that brings a new pose or stamp of a bounded link, and whenever an "
+    "object or incomplete changes; under load, one message stands for all that wait; limited by "
+    "max_rate; latched"};
 constexpr TopicName kGroupsTopic{
     "~groups", "link_bounds/AxisAlignedBoxArray",
     "with each ~boxes: box robot, then one per groups entry in alphabetical order; latched"};
@@ -33,12 +34,13 @@ constexpr TopicName kMarkersTopic{
 constexpr TopicName kPartsTopic{
     "~parts", "link_bounds/AxisAlignedBoxArray",
     "several boxes of one name, which together cover the link; with each ~boxes, or the newest one "
-    "where computing takes longer; only while somebody listens and parts_per_link > 1, else once "
-    "an empty one after the last; a new subscriber gets all at once"};
+    "where computing takes longer; only while somebody listens and parts_per_link > 1; when "
+    "parts_per_link becomes 1, one empty message; a new subscriber gets all at once"};
 constexpr TopicName kFootprintTopic{
     "~footprint", "geometry_msgs/Polygon",
     "with each ~groups, only while somebody listens and box robot is complete: its rectangle in x "
-    "and y of the fixed frame, rounded outward; a new subscriber gets one at once"};
+    "and y of the fixed frame, rounded outward, without the links that /diagnostics calls left "
+    "out; a new subscriber gets one at once"};
 constexpr TopicName kOverlapsTopic{
     "~overlaps", "link_bounds/BoxOverlapArray",
     "also when empty; with each ~boxes, or the newest one where computing takes longer; only while "

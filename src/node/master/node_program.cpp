@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 
 #include "world/log/log_text.h"
@@ -75,6 +76,9 @@ int runNode(int argc, char** argv, const NodeProgram& program) {
   std::signal(SIGXFSZ, SIG_IGN);             // writing beyond `ulimit -f` is an error then
   try {
     return run(argc, argv, program);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "[FATAL] out of memory; raise the limit of memory (ulimit -v)" << std::endl;
+    return 1;
   } catch (const std::exception& error) {
     // ROS's log may have ended already.
     std::cerr << "[FATAL] " << logText(error.what()) << std::endl;

@@ -46,7 +46,7 @@ std::thread startThread(const std::string& name, const std::function<void()>& bo
     return std::thread(body);
   } catch (const std::system_error& error) {
     throw std::runtime_error("cannot start the " + name + " thread: " + error.what() +
-                             "; raise the limit of processes and threads");
+                             "; raise the limits of threads and of memory (ulimit -u, ulimit -v)");
   }
 }
 

@@ -20,7 +20,13 @@ constexpr int kFirstCode = 256;  // of long options; others are letters
 /// getopt_long leaves the letter or code in optopt where it knows one.
 std::string badOption(const char* const* argv) {
   if (optopt >= kFirstCode) return std::string(argv[optind - 1]) + ": this option takes no value";
-  if (optopt > 0) return std::string("there is no option -") + static_cast<char>(optopt);
+  if (optopt > 0) {
+    // Within a word, optind is that of the word.
+    const char* const word = argv[optind] ? argv[optind] : argv[optind - 1];
+    const bool is_joint = std::string(word).find(":=") != std::string::npos && word[0] == '-';
+    return std::string("there is no option -") + static_cast<char>(optopt) +
+           (is_joint ? "; write -- before joints whose name begins with -" : "");
+  }
   return std::string("there is no option ") + argv[optind - 1];
 }
 

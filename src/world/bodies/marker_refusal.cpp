@@ -45,19 +45,19 @@ bool hasPoints(const Marker& marker) {
 /// How many points rviz needs, in words; null if the marker has them.
 const char* wantedCount(const Marker& marker) {
   const std::size_t count = marker.points.size();
+  if (count == 0 && isList(marker))
+    return "a list needs at least 1; to remove the marker, send DELETE";
   switch (marker.type) {
     case Marker::ARROW:
       return count == 0 || count == 2 ? nullptr : "an ARROW needs none or 2";
     case Marker::LINE_STRIP:
       return count >= 2 ? nullptr : "a LINE_STRIP needs at least 2";
     case Marker::LINE_LIST:
-      return count > 0 && count % 2 == 0 ? nullptr : "a LINE_LIST needs pairs";
+      return count % 2 == 0 ? nullptr : "a LINE_LIST needs pairs";
     case Marker::TRIANGLE_LIST:
-      return count > 0 && count % 3 == 0 ? nullptr : "a TRIANGLE_LIST needs threes";
+      return count % 3 == 0 ? nullptr : "a TRIANGLE_LIST needs threes";
     default:
-      return count > 0 || !hasPoints(marker) ? nullptr
-                                             : "a list needs at least 1; to remove the "
-                                               "marker, send DELETE";
+      return nullptr;
   }
 }
 

@@ -17,7 +17,7 @@ namespace link_bounds {
 struct Model;
 
 struct BoxRequest {
-  std::int64_t stamp = 0;          ///< [ns]; 0: the latest, as ~boxes has it
+  std::int64_t stamp = 0;          ///< [ns]; 0: each body as new as tf has it
   std::int64_t span = 0;           ///< [ns]; 0: boxes at the stamp
   std::string frame;               ///< "": the fixed frame of the model
   std::vector<std::string> names;  ///< none: all links and objects

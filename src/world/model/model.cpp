@@ -155,11 +155,12 @@ std::map<std::string, std::string> otherNames(const Parameters& parameters,
   return result;
 }
 
-/// In quotes, with commas.
-std::string namesOfNeighbours(const std::vector<BoundedLink>& links) {
+/// Those that `is_it` is true of, in quotes, with commas.
+template <class IsIt>
+std::string namesThat(const std::vector<BoundedLink>& links, IsIt is_it) {
   std::string names;
   for (const BoundedLink& link : links) {
-    if (isNeighbourName(link.name)) names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+    if (is_it(link.name)) names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
   }
   return names;
 }
@@ -258,12 +259,19 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.warnings.insert(model.warnings.end(), unknown_joints.begin(), unknown_joints.end());
   model.warnings.insert(model.warnings.end(), bounded.part_problems.begin(),
                         bounded.part_problems.end());
-  const std::string hidden = namesOfNeighbours(model.links);
+  const std::string hidden = namesThat(model.links, isNeighbourName);
   if (!hidden.empty())
     model.warnings.push_back(
         "other nodes leave out of ~neighbours what has the name of a "
         "neighbour's box, with a slash at its begin and another one: " +
         hidden + "; give these links other names");
+  const std::string ambiguous = namesThat(model.links, [](const std::string& name) {
+    return !isNeighbourName(name) && parseObjectName(name);
+  });
+  if (!ambiguous.empty())
+    model.warnings.push_back("links have names that markers may have, NS/ID: " + ambiguous +
+                             "; such a marker gets a second box of that name, so give these links "
+                             "other names");
   if (model.links.empty()) {
     model.warnings.push_back(
         "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "

@@ -108,6 +108,24 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
   return result;
 }
 
+BaseMotion around(BaseMotion motion, const BaseMotion& other, const Eigen::Isometry3d& frame) {
+  if (motion.problem.empty()) motion.problem = other.problem;
+  if (!other.joint) return motion;
+  MovingJoint joint = *other.joint;
+  joint.origin = frame * joint.origin;
+  joint.axis = frame.linear() * joint.axis;
+  if (!motion.joint) {
+    motion.joint = joint;
+    return motion;
+  }
+  MovingJoint& both = *motion.joint;
+  both.distance = std::max(both.distance, joint.distance);
+  both.turn = std::max(both.turn, joint.turn);
+  const double away = angleBetween(both.axis, joint.axis) + kStands;
+  both.spread = std::min(std::max(both.spread, away + joint.spread), M_PI);
+  return motion;
+}
+
 EdgeSamples pathSamples(const TransformBuffer& tf, TransformBuffer::Frame target,
                         TransformBuffer::Frame source, std::int64_t stamp, std::int64_t window) {
   EdgeSamples result;

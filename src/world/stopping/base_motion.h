@@ -26,6 +26,9 @@ struct BaseMotion {
 BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
                       const Parameters& parameters);
 
+/// Both motions of one base, of which `other` is as seen in a frame that has the pose `frame`.
+BaseMotion around(BaseMotion motion, const BaseMotion& other, const Eigen::Isometry3d& frame);
+
 /// The poses of `source` in `target` during the window, at all stamps at which an edge between them
 /// has a transform; or why its speed is not known.
 EdgeSamples pathSamples(const TransformBuffer& tf, TransformBuffer::Frame target,

@@ -279,14 +279,32 @@ bool BodyWays::isStillInTf(Frame child) const {
 std::string BodyWays::addBase(std::int64_t stamp, Frame root, std::vector<WayJoint>& joints) {
   const auto [entry, is_new] = bases_.try_emplace({root, stamp});
   BaseMotion& motion = entry->second;
-  if (is_new) {
-    const EdgeSamples samples = pathSamples(tf_, scene_.target, root, stamp, window_);
-    motion.problem = samples.problem;
-    if (motion.problem.empty())
-      motion = baseMotion(samples.poses, window_, rules_.model().parameters);
-  }
+  if (is_new) motion = findBase(stamp, root);
   if (motion.joint) joints.push_back({*motion.joint, {}, {}});
   return motion.problem;
+}
+
+BaseMotion BodyWays::baseIn(Frame frame, std::int64_t stamp, Frame root) const {
+  const EdgeSamples samples = pathSamples(tf_, frame, root, stamp, window_);
+  if (!samples.problem.empty()) return {{}, samples.problem};
+  return baseMotion(samples.poses, window_, rules_.model().parameters);
+}
+
+/// In the fixed frame, and in each frame that moves in it and has the root below: where a
+/// localisation corrects its frame against the way of the base, the base stands in the fixed frame.
+BaseMotion BodyWays::findBase(std::int64_t stamp, Frame root) const {
+  BaseMotion motion = baseIn(scene_.target, stamp, root);
+  Frame frame = root;
+  for (const Frame child : edgesBetween(tf_, root, scene_.target)) {
+    if (child != frame) break;  // on the way down to the fixed frame
+    frame = tf_.parent(child);
+    const auto pose = tf_.pose(scene_.target, frame, stamp);
+    Eigen::Isometry3d in_fixed;
+    if (tf_.isStatic(child) || frame == scene_.target || !pose || !toIsometry(*pose, in_fixed))
+      continue;
+    motion = around(std::move(motion), baseIn(frame, stamp, root), in_fixed);
+  }
+  return motion;
 }
 
 const BodyWays::EdgeMotion& BodyWays::motionOf(Frame child, std::int64_t stamp) {

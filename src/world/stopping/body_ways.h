@@ -83,6 +83,8 @@ class BodyWays {
   bool isRigid(Frame child) const;
   bool isStillInTf(Frame child) const;
   std::string addBase(std::int64_t stamp, Frame root, std::vector<WayJoint>& joints);
+  BaseMotion baseIn(Frame frame, std::int64_t stamp, Frame root) const;
+  BaseMotion findBase(std::int64_t stamp, Frame root) const;
   const EdgeMotion& motionOf(Frame child, std::int64_t stamp);
   EdgeMotion findMotion(Frame child, std::int64_t stamp);
   void addJoint(Frame child, std::size_t joint, std::int64_t stamp, EdgeMotion& edge);

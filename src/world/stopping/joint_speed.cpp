@@ -216,7 +216,7 @@ std::vector<JointReport> withBefore(std::vector<JointReport> reports,
   return reports;
 }
 
-/// Of two or more reports that all have a velocity.
+/// Of reports that all have a velocity.
 void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& reports,
                            std::int64_t stamp, std::int64_t window, JointState& state) {
   TimedValues found = positionsOf(reports);
@@ -295,15 +295,13 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   const bool is_any_late = reports.size() < all_reports.size();
   const JointReport* const nearest = nearestReport(reports, stamp);
   const bool are_told = have_velocities && (!areZeros(reports) || restedSince(before, reports));
-  const std::vector<JointReport> told =
-      have_velocities ? withBefore(reports, before) : std::vector<JointReport>();
-  if (!nearest || std::abs(stamp - nearest->stamp) > window || told.size() == 1 ||
+  if (!nearest || std::abs(stamp - nearest->stamp) > window ||
       (!are_told && !tellSpeed(withoutLate(all_reports, stamp, window), window))) {
     state.problem = whyTooRare(joint);
     return state;
   }
   if (have_velocities) {
-    addSpeedsOfVelocities(joint, told, stamp, window, state);
+    addSpeedsOfVelocities(joint, withBefore(reports, before), stamp, window, state);
     if (!state.problem.empty()) return state;
   } else {
     addSpeedsOfPositions(reports, stamp, window, state);

@@ -87,6 +87,12 @@ class StartUp(unittest.TestCase):
 
     def test_a_list_on_the_command_line_is_told_where_lists_belong(self):
         rospy.set_param("/robot_description", ARMS)
+        for argument, remedy in (("_links:=base", "; write it as a list, [a, b]"),
+                                 ("_groups:=base", "; write it as a map, {a: b}")):
+            node = NodeProcess(next(self.names), [argument])
+            self.addCleanup(node.end)
+            self.assertEqual(node.wait(), 1)
+            self.assertIn(remedy, node.output)
         for argument in ("_links:=[base]", "_groups:={arm: [left]}", "_marker_color:=[1, 0, 0, 1]"):
             with self.subTest(argument=argument):
                 node = NodeProcess(next(self.names), [argument])
@@ -104,10 +110,9 @@ class StartUp(unittest.TestCase):
         self.assertAlmostEqual(message.boxes[0].max.x, 2.2, delta=1e-9)
 
     def test_an_unknown_parameter_is_only_warned_about(self):
-        node = self.start(ARMS, paddding=1.0, diagnostic_period=2.0)
+        node = self.start(ARMS, paddding=1.0)
         Recorder(node.name + "/boxes").wait(lambda m: True, "boxes")
         self.assertIn("~paddding, which is 1.0, is unknown", node.output)
-        self.assertNotIn("diagnostic_period", node.output)
 
     def test_signals_end_it_with_status_0(self):
         for number in (signal.SIGINT, signal.SIGTERM):

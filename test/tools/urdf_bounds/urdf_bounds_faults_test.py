@@ -310,7 +310,9 @@ class RefusalTest(UrdfBoundsTest):
         self.check_refused('empty', '')
         self.check_refused('one file too many', '-', 'other.urdf')
         self.check_refused('no option --bogus', '-', '--bogus')
-        self.check_refused('no option -x', '-x', '-')
+        self.check_refused('no option -x; see', '-x', '-')
+        self.check_refused('no option -x; write -- before joints whose name begins with -', '-x:=1',
+                           '-')
         self.check_refused('takes no value', '-', '--strict=1')
 
     def test_standard_input_is_read_once(self):

@@ -309,7 +309,8 @@ class PosesTest(UrdfBoundsTest):
                 *((r't.csv has lines that end in CR alone; save it with LF', table) for table in (
                     'push,lift\r0,0\r', '# log\rpush,lift\r0,0', '# a\r# b', '\rpush,lift')),
                 *(('no column of a joint; where it has no line of names, give them by --columns; '
-                   'joints .*: push lift', table) for table in ('a,b\n1,2\n', '0,0\n1,2\n'))):
+                   'lines that begin with # are remarks; joints .*: push lift', table)
+                  for table in ('a,b\n1,2\n', '0,0\n1,2\n', '#push,lift\n1,2\n'))):
             self.check_refused(reason, '-', '--poses', self.write('t.csv', table), urdf=SLIDE)
         for table in ('0,0\r', '0,0 \r\t', '\r\n0,0\r\n'):
             self.summary(table, '--columns', 'push,lift')

@@ -90,6 +90,15 @@ TEST(Model, ASpanThatTfDoesNotRememberIsWarnedOf) {
   }
 }
 
+TEST(Model, LinksThatAreNamedLikeObjectsAreWarnedOf) {
+  std::string urdf = kUrdf;
+  for (std::size_t at = urdf.find("\"arm\""); at != std::string::npos; at = urdf.find("\"arm\""))
+    urdf.replace(at, 5, "\"scene/1\"");
+  const Model model = modelWith({}, urdf);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("NS/ID: \"scene/1\""), std::string::npos) << model.warnings[0];
+}
+
 TEST(Model, UnknownMembersMakeAGroupIncomplete) {
   Parameters parameters;
   parameters.groups = {{"a", {"base", "typo"}}, {"b", {"base", "scene/*"}}, {"c", {"scene/1"}}};

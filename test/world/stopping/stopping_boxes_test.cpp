@@ -334,6 +334,41 @@ TEST(StoppingBoxes, ABaseOnACircleGoesItsArc) {
 }
 
 /// A whole turn within each piece of the window looks like standing.
+/// A localisation corrects odom in the map while the base drives in odom: along its way, against
+/// it, or across.
+TEST(StoppingBoxes, ACorrectionOfTheLocalisationHidesNoSpeed) {
+  for (const Eigen::Vector3d& correction :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0.5, 0, 0),
+        Eigen::Vector3d(-0.5, 0.7, 0)}) {
+    Robotics robot(goodParameters());
+    const Eigen::Isometry3d map_from_odom(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
+    for (int i = 20; i >= 0; --i) {
+      const double before = i / kRate;
+      Eigen::Isometry3d corrected = map_from_odom;
+      corrected.translation() = map_from_odom.linear() * -before * correction;
+      robot.add("map", "odom", kStamp - before, corrected);
+      robot.add("odom", "base", kStamp - before,
+                Eigen::Isometry3d(Eigen::Translation3d(-before, 0, 0)));
+      for (std::size_t k = 0; k < robot.robot().joints.size(); ++k) {
+        const Joint& joint = robot.robot().joints[k];
+        robot.add(robot.robot().links[joint.parent].name, robot.robot().links[joint.child].name,
+                  kStamp - before, joint.parent_from_joint * jointMotion(joint, 0));
+      }
+    }
+    robot.scene().update(ros::Time(kStamp));
+    const WayBoxes found = stoppingOf(robot);
+    EXPECT_TRUE(found.moment->incomplete.empty());
+    // It drives on by 0.5 m in odom, or by what the fixed frame shows.
+    for (const Eigen::Vector3d& speed :
+         {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(correction + Eigen::Vector3d(1, 0, 0))}) {
+      Eigen::Isometry3d stopped = map_from_odom;
+      stopped.translation() = map_from_odom.linear() * speed * speed.norm() / 2;
+      EXPECT_TRUE(contains(*found.moment, robot.boxesAt(robot.values({}), stopped)))
+          << correction.transpose();
+    }
+  }
+}
+
 TEST(StoppingBoxes, ABaseThatTurnsFullyWithinAPieceIsTold) {
   Parameters parameters = goodParameters();
   parameters.velocity_window = 0.2;

@@ -45,7 +45,7 @@ std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given,
   const std::string beyond = beyondLimits(robot, given);
   if (refuses_beyond_limits && !beyond.empty())
     throw UsageError(beyond + "; --strict accepts only values within them");
-  warnOfLimits(beyond, "the boxes are those of this pose");
+  warnOfLimits(beyond, "these values count");
   std::map<std::string, double> values;
   for (const auto& [name, range] : given)
     values.emplace(name, range.lower);

@@ -100,9 +100,10 @@ class TableReader {
     }
     if (is_path) checkUnknown(names);
     if (table_.joints.empty())
-      throw UsageError(file_ +
-                       " has no column of a joint; where it has no line of names, give them " +
-                       "by --columns; joints that can be set:" + settableNames(robot_));
+      throw UsageError(
+          file_ + " has no column of a joint; where it has no line of names, give them " +
+          "by --columns; lines that begin with # are remarks; joints that can be set:" +
+          settableNames(robot_));
     if (twice)
       throw UsageError(file_ + ": column \"" + shown(*twice) + "\" is there twice; remove one");
     const std::set<std::string> known(given.begin(), given.end());
