@@ -12,6 +12,7 @@ import rostest
 from bounds_testing import Recorder, TfSender, box_link, robot, transform, visual, wait_for
 from cloud_testing import cloud, wait_status
 from diagnostic_msgs.msg import DiagnosticArray
+from page_testing import PACKAGE, rows_below
 from sensor_msgs.msg import PointCloud2
 from std_srvs.srv import Trigger
 
@@ -90,6 +91,12 @@ class CloudParameters(unittest.TestCase):
         self.assertGreaterEqual(float(values["wait for tf and turn, max [ms]"]), 0)
         self.assertEqual((values["waiting"], values["dropped"], values["passed unfiltered"]),
                          ("0", "0", "0"))
+        rows = rows_below((PACKAGE / "doc/clouds.md").read_text("utf-8"), ["key", "value"])
+        keys = [key for key, _ in rows]
+        for key in values:
+            self.assertTrue(key in keys or key.partition(": ")[0] + ": REASON" in keys, key)
+        self.assertEqual([key for key in keys if "REASON" not in key and key not in values],
+                         ["problem"])
         for name, left_out in ("/usual", "none"), (
                 "/colliding", 'left out are links with visual geometry only: "left"'):
             values = wait_status(self.status, name, lambda _: True, is_new=False)
