@@ -17,6 +17,10 @@ namespace {
 
 constexpr std::uint32_t kJointQueue = 1000;  // messages, a second at 1 kHz
 
+/// As for transforms: see ClockWatch::isFromBeforeJump.
+constexpr double kAfterJump = 0.5;                 // s of steady time
+constexpr std::int64_t kBeforeJump = 500'000'000;  // ns ahead of the clock
+
 }  // namespace
 
 JointStateReceiver::JointStateReceiver() {
@@ -30,7 +34,7 @@ const JointStates& JointStateReceiver::read(std::uint64_t epoch) {
         ros::TransportHints().tcpNoDelay());
   }
   queue_.callAvailable();
-  states_.observeEpoch(epoch);
+  if (states_.observeEpoch(epoch)) jump_ = ros::SteadyTime::now();
   return states_;
 }
 
@@ -56,6 +60,8 @@ void JointStateReceiver::take(const Event& event) {
     if (!line.empty()) ROS_WARN("%s", logText(line).c_str());
     return;
   }
+  const bool has_jumped = !jump_.isZero() && (ros::SteadyTime::now() - jump_).toSec() < kAfterJump;
+  if (has_jumped && stamp - now > kBeforeJump) return;
   const bool have_velocities = message.velocity.size() == message.name.size();
   for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i) {
     JointReport report{stamp, message.position[i], {}};

@@ -4,6 +4,7 @@
 #include "node/interface/parameter_reader.h"
 
 #include <cstdlib>
+#include <limits>
 
 #include "node/interface/parameter_text.h"
 
@@ -22,13 +23,6 @@ bool isNumber(XmlRpcValue& value) {
   return !text.empty() && end == text.c_str() + text.size();
 }
 
-/// roscpp takes _name:=[a, b] on the command line for a string; so is what stands in no brackets.
-std::string remedyOfText(const std::string& text, bool is_list) {
-  if (text.find_first_of("[{") == 0)
-    return "; give lists and maps by rosparam, or by <rosparam> in a launch file";
-  return is_list ? "; write it as a list, [a, b]" : "; write it as a map, {a: b}";
-}
-
 }  // namespace
 
 std::string fromXml(XmlRpcValue& value, std::string& out) {
@@ -44,7 +38,10 @@ std::string fromXml(XmlRpcValue& value, bool& out) {
 }
 
 std::string fromXml(XmlRpcValue& value, int& out) {
-  if (value.getType() != XmlRpcValue::TypeInt) return "a whole number of at most 2147483647";
+  if (value.getType() == XmlRpcValue::TypeDouble &&
+      static_cast<double&>(value) > std::numeric_limits<int>::max())
+    return "a whole number of at most 2147483647";
+  if (value.getType() != XmlRpcValue::TypeInt) return "a whole number";
   out = static_cast<int&>(value);
   return "";
 }
@@ -72,12 +69,14 @@ std::string fromXml(XmlRpcValue& value, std::vector<std::string>& out) {
   return "";
 }
 
+/// roscpp takes _name:=[a, b] on the command line for a string.
 std::string wrongValue(const std::string& name, XmlRpcValue& value, const std::string& fault) {
-  std::string message = "parameter " + name + " is " + valueText(value) + ", but " + fault;
   const bool is_list = fault.find("must be a list") == 0;
-  std::string text;
-  if ((is_list || fault.find("must be a map") == 0) && fromXml(value, text).empty())
-    message += remedyOfText(text, is_list);
+  const bool is_text = value.getType() == XmlRpcValue::TypeString;
+  std::string message = "parameter " + name + " is " + valueText(value) + ", but " + fault;
+  if (is_text && (is_list || fault.find("must be a map") == 0))
+    message += std::string("; give ") + (is_list ? "a list, [a, b]," : "a map, {a: b},") +
+               " by rosparam, or by <rosparam> in a launch file";
   return message;
 }
 

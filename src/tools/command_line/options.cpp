@@ -23,7 +23,8 @@ std::string badOption(const char* const* argv) {
   if (optopt > 0) {
     // Within a word, optind is that of the word.
     const char* const word = argv[optind] ? argv[optind] : argv[optind - 1];
-    const bool is_joint = std::string(word).find(":=") != std::string::npos && word[0] == '-';
+    const bool is_joint =
+        std::string(word).find(":=") != std::string::npos && word[0] == '-' && word[1] == optopt;
     return std::string("there is no option -") + static_cast<char>(optopt) +
            (is_joint ? "; write -- before joints whose name begins with -" : "");
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/tf/frame_paths.h"
 
@@ -13,6 +14,10 @@ namespace {
 
 /// Less is rounding of the poses [m and rad].
 constexpr double kStands = 1e-9;
+
+/// A way that is so much shorter than another one costs less in all directions than its own
+/// direction beside the other one's: of one that is nearly 0 that may be any.
+constexpr double kLittle = 0.1;
 
 /// The motion between two poses.
 struct Piece {
@@ -119,8 +124,13 @@ BaseMotion around(BaseMotion motion, const BaseMotion& other, const Eigen::Isome
     return motion;
   }
   MovingJoint& both = *motion.joint;
-  both.distance = std::max(both.distance, joint.distance);
-  both.turn = std::max(both.turn, joint.turn);
+  const double turn = std::max(both.turn, joint.turn);
+  if (joint.distance > both.distance) std::swap(joint, both);
+  both.turn = turn;
+  if (joint.distance <= kLittle * both.distance) {
+    motion.more = std::max(motion.more, joint.distance);
+    return motion;
+  }
   const double away = angleBetween(both.axis, joint.axis) + kStands;
   both.spread = std::min(std::max(both.spread, away + joint.spread), M_PI);
   return motion;

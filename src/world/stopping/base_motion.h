@@ -17,6 +17,7 @@ namespace link_bounds {
 /// Nothing for a base that stands.
 struct BaseMotion {
   std::optional<MovingJoint> joint;  ///< in the frame of the poses
+  double more = 0;                   ///< how far it may go beside that, in any direction [m]
   std::string problem;               ///< with the remedy
 };
 
@@ -26,7 +27,8 @@ struct BaseMotion {
 BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
                       const Parameters& parameters);
 
-/// Both motions of one base, of which `other` is as seen in a frame that has the pose `frame`.
+/// Covers both motions of one base, of which `other` is as seen in a frame that has the pose
+/// `frame`.
 BaseMotion around(BaseMotion motion, const BaseMotion& other, const Eigen::Isometry3d& frame);
 
 /// The poses of `source` in `target` during the window, at all stamps at which an edge between them

@@ -128,11 +128,14 @@ BodyWay BodyWays::find(const PastBody& body) {
   return way;
 }
 
-/// The stamp, less by how much the clock is ahead that stamps the transforms of the way.
+/// The stamp, less by how much the clock is ahead that stamps the joints on the way up to the root.
+/// What does not move is dated ahead on purpose now and then.
 std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
   std::int64_t known = std::min(stamp, static_cast<std::int64_t>(scene_.now.toNSec()));
-  for (const Frame edge : edgesBetween(tf_, scene_.target, frame)) {
-    if (!tf_.hasParent(edge) || tf_.isStatic(edge)) continue;
+  for (const Frame edge : wayUp(tf_, frame)) {
+    const auto link = rules_.linkOf(tf_.name(edge));
+    if (link && !rules_.jointAbove(*link)) break;  // above the root nothing counts for contacts
+    if (!tf_.hasParent(edge) || isRigid(edge) || tf_.isStatic(edge)) continue;
     const std::int64_t ahead = tf_.newest(edge) - tf_.received(edge);
     known = std::min(known, stamp - std::max<std::int64_t>(ahead, 0));
   }
@@ -280,29 +283,36 @@ std::string BodyWays::addBase(std::int64_t stamp, Frame root, std::vector<WayJoi
   const auto [entry, is_new] = bases_.try_emplace({root, stamp});
   BaseMotion& motion = entry->second;
   if (is_new) motion = findBase(stamp, root);
-  if (motion.joint) joints.push_back({*motion.joint, {}, {}});
+  if (!motion.joint) return motion.problem;
+  joints.push_back({*motion.joint, {}, {}});
+  if (motion.more > 0) {
+    MovingJoint more{MovingJoint::Kind::kFree, motion.joint->origin, motion.joint->axis};
+    more.distance = motion.more;
+    more.spread = M_PI;
+    joints.push_back({more, {}, {}});
+  }
   return motion.problem;
 }
 
 BaseMotion BodyWays::baseIn(Frame frame, std::int64_t stamp, Frame root) const {
   const EdgeSamples samples = pathSamples(tf_, frame, root, stamp, window_);
-  if (!samples.problem.empty()) return {{}, samples.problem};
+  if (!samples.problem.empty()) return {{}, 0, samples.problem};
   return baseMotion(samples.poses, window_, rules_.model().parameters);
 }
 
-/// In the fixed frame, and in each frame that moves in it and has the root below: where a
-/// localisation corrects its frame against the way of the base, the base stands in the fixed frame.
+/// In the fixed frame, and in each frame between that and the root: where a localisation corrects
+/// its frame against the way of the base, the base stands in the fixed frame.
 BaseMotion BodyWays::findBase(std::int64_t stamp, Frame root) const {
   BaseMotion motion = baseIn(scene_.target, stamp, root);
-  Frame frame = root;
   for (const Frame child : edgesBetween(tf_, root, scene_.target)) {
-    if (child != frame) break;  // on the way down to the fixed frame
-    frame = tf_.parent(child);
-    const auto pose = tf_.pose(scene_.target, frame, stamp);
-    Eigen::Isometry3d in_fixed;
-    if (tf_.isStatic(child) || frame == scene_.target || !pose || !toIsometry(*pose, in_fixed))
-      continue;
-    motion = around(std::move(motion), baseIn(frame, stamp, root), in_fixed);
+    if (tf_.isStatic(child)) continue;
+    for (const Frame frame : {child, tf_.parent(child)}) {
+      const auto pose = tf_.pose(scene_.target, frame, stamp);
+      Eigen::Isometry3d in_fixed;
+      if (frame == root || frame == scene_.target || !pose || !toIsometry(*pose, in_fixed))
+        continue;
+      motion = around(std::move(motion), baseIn(frame, stamp, root), in_fixed);
+    }
   }
   return motion;
 }

@@ -127,14 +127,14 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
       std::minmax_element(positions.values.begin(), positions.values.end());
   const bool is_still = *highest - *lowest <= kPositionNoise;
   const bool are_zeros = areZeros(reports);
-  if (are_zeros && is_still) state.unseen = kPositionNoise;
+  if (is_still && *reports.back().velocity == 0) state.unseen = kPositionNoise;
   if (of_positions.piece == 0) return;
   if ((are_zeros && !is_still) || contradict(reports, positions, window)) {
     state.piece += of_positions.piece;
   } else if (!are_zeros) {
     // A speed that is off by e at the end, and changes by up to twice the acceleration, has made a
     // difference of at least e^2 / 4 a.
-    state.unseen = 2 * differenceAtEnd(reports, positions, window);
+    state.unseen = std::max(state.unseen, 2 * differenceAtEnd(reports, positions, window));
   }
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
@@ -220,7 +220,7 @@ std::vector<JointReport> withBefore(std::vector<JointReport> reports,
 void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& reports,
                            std::int64_t stamp, std::int64_t window, JointState& state) {
   TimedValues found = positionsOf(reports);
-  if (joint.motion == Motion::kRotation && !addTurns(reports, found.values)) {
+  if (joint.motion == Motion::kRotation && !joint.limits && !addTurns(reports, found.values)) {
     state.problem = whyNoDirection(joint, "reports in joint_states");
     return;
   }

@@ -34,10 +34,10 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
 
 /// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The
 /// speeds are those that were reported and those of the positions; a single report is looked at
-/// together with the last one `before` the window, if there is one. Where a report has
-/// no velocity, or all are 0, as some drivers send it for what they do not measure, the positions
-/// alone tell: then no two may be farther apart than the window; or, with all 0, the report
-/// `before` the window had the same position, so the joint rested.
+/// together with the last one `before` the window, if there is one. Where a report has no velocity,
+/// or all are 0, as some drivers send it for what they do not measure, the positions alone tell:
+/// then no two may be farther apart than the window; or, with all 0, the report `before` the window
+/// had the same position, so the joint rested.
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& reports, std::int64_t stamp,
                       std::int64_t window, const std::optional<JointReport>& before = {});

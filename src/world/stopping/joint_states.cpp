@@ -3,7 +3,6 @@
 // As much history as tf has.
 #include "world/stopping/joint_states.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -11,11 +10,6 @@
 #include "world/tf/edge_history.h"
 
 namespace link_bounds {
-namespace {
-
-constexpr std::int64_t kNear = 1'000'000'000;  // ns
-
-}  // namespace
 
 void JointStates::add(const std::string& joint, const JointReport& report) {
   if (report.stamp <= 0 || !std::isfinite(report.position)) return;
@@ -43,8 +37,10 @@ void JointStates::clear() {
   joints_.clear();
 }
 
-void JointStates::observeEpoch(std::uint64_t epoch) {
-  if (std::exchange(epoch_, epoch) != epoch) clear();
+bool JointStates::observeEpoch(std::uint64_t epoch) {
+  const bool is_new = std::exchange(epoch_, epoch) != epoch;
+  if (is_new) clear();
+  return is_new;
 }
 
 std::optional<std::vector<JointReport>> JointStates::reports(const std::string& joint,
@@ -54,9 +50,7 @@ std::optional<std::vector<JointReport>> JointStates::reports(const std::string& 
   if (found == joints_.end()) return std::nullopt;
   const Reports& all = found->second.reports;
   std::vector<JointReport> result;
-  const std::int64_t last = stamp + std::max(window, kNear);
-  for (auto next = all.lower_bound(stamp - window); next != all.end() && next->first <= last;
-       ++next) {
+  for (auto next = all.lower_bound(stamp - window); next != all.end(); ++next) {
     result.push_back(next->second);
     if (next->first >= stamp) break;
   }
@@ -65,12 +59,13 @@ std::optional<std::vector<JointReport>> JointStates::reports(const std::string& 
 
 std::optional<JointReport> JointStates::lastBefore(const std::string& joint,
                                                    std::int64_t stamp) const {
+  constexpr std::int64_t kLongest = 1'000'000'000;  // ns
   const auto found = joints_.find(joint);
   if (found == joints_.end()) return std::nullopt;
   const auto next = found->second.reports.lower_bound(stamp);
   if (next == found->second.reports.begin()) return std::nullopt;
   const JointReport& last = std::prev(next)->second;
-  return stamp - last.stamp <= kNear ? std::optional(last) : std::nullopt;
+  return stamp - last.stamp <= kLongest ? std::optional(last) : std::nullopt;
 }
 
 }  // namespace link_bounds

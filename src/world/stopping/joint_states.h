@@ -30,13 +30,11 @@ class JointStates {
   void clear();
 
   /// Forgets all if the clock has jumped back since the last call: then the epoch of tf is another
-  /// one.
-  void observeEpoch(std::uint64_t epoch);
+  /// one. Returns whether it is.
+  bool observeEpoch(std::uint64_t epoch);
 
   /// The reports of a joint that tell how it moves at `stamp`: those of `window` before it [ns],
-  /// and the next one after it, in order; one that is later by more than a second and by more than
-  /// the window may be from before a jump of the clock. Nothing for a joint that was never
-  /// reported.
+  /// and the next one after it, in order. Nothing for a joint that was never reported.
   std::optional<std::vector<JointReport>> reports(const std::string& joint, std::int64_t stamp,
                                                   std::int64_t window) const;
 

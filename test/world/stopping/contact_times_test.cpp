@@ -108,6 +108,23 @@ TEST(ContactTimes, AClockAheadOnTheWayDelaysNothing) {
   }
 }
 
+/// As robot_state_publisher dates fixed joints on /tf, half a second ahead.
+TEST(ContactTimes, AFixedJointThatIsDatedAheadBringsNothingForward) {
+  const std::string along = std::string(R"(<axis xyz="1 0 0"/>)") + kLimit;
+  MovingRobot robot("<robot name=\"plate\"><link name=\"rail\"/><link name=\"plate\"/>" +
+                        sphere("left", 0.1) + sphere("right", 0.1) +
+                        joint("fixed", "rail", "plate", "") +
+                        joint("prismatic", "plate", "left", along) +
+                        joint("prismatic", "rail", "right", along) + "</robot>",
+                    parametersOf("rail", 2));
+  stand(robot, {0, 0, 1.2});
+  robot.add("rail", "plate", kStamp + 0.5, Eigen::Isometry3d::Identity());
+  const EarliestContactArray array = robot.earliest();
+  ASSERT_TRUE(array.incomplete.empty());
+  EXPECT_LE(untilOf(array), kStamp + 1.0);
+  EXPECT_GE(untilOf(array), kStamp + 0.99);
+}
+
 /// A sphere on an arm of 1 m turns by a quarter at 0.5 rad/s until it touches, less what both
 /// spheres take.
 TEST(ContactTimes, AreNearTheTruthForATurn) {

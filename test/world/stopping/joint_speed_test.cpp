@@ -300,17 +300,6 @@ TEST(JointStates, TellTheLastReportBeforeAStamp) {
   EXPECT_FALSE(states.lastBefore("a", 48 * kSecond));
 }
 
-/// As one that came late, from before the clock jumped back by five seconds.
-TEST(JointStates, AReportFarAheadIsNotTheNextOne) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  JointStates states;
-  states.add("a", {55 * kSecond, 9, 1.0});
-  states.add("a", {50 * kSecond - kPeriod, 1, 1.0});
-  EXPECT_EQ(states.reports("a", 50 * kSecond, kWindow)->size(), 1u);
-  EXPECT_EQ(states.reports("a", 54 * kSecond + 1, kWindow)->size(), 1u);
-  EXPECT_EQ(states.reports("a", 50 * kSecond, 5 * kSecond)->size(), 2u) << "the window is as long";
-}
-
 /// It goes there and back within a window, so the positions at its ends are equal.
 TEST(JointState, ZeroVelocitiesHideNoTurnBack) {
   Random random(11);

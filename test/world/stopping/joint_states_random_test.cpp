@@ -113,9 +113,7 @@ class Sequence {
     std::vector<JointReport> expected;
     const std::map<std::int64_t, JointReport> all = valid(name);
     for (const auto& [when, report] : all) {
-      const bool is_near = when <= stamp + std::max(window, kSecond);
-      const bool is_next =
-          when > stamp && is_near && (expected.empty() || expected.back().stamp < stamp);
+      const bool is_next = when > stamp && (expected.empty() || expected.back().stamp < stamp);
       if (when >= stamp - window && (when <= stamp || is_next)) expected.push_back(report);
     }
     const auto next = all.lower_bound(stamp);

@@ -333,42 +333,80 @@ TEST(StoppingBoxes, ABaseOnACircleGoesItsArc) {
     EXPECT_TRUE(contains(*found.moment, robot.boxesAt(values, on_circle(60 * 0.0002 * i)))) << i;
 }
 
-/// A whole turn within each piece of the window looks like standing.
+/// odom is between the map and the base.
+void sendCorrected(Robotics& robot, double stamp, const Eigen::Isometry3d& map_from_odom,
+                   const Eigen::Isometry3d& odom_from_base, bool is_base_above) {
+  if (is_base_above) {
+    robot.add("base", "odom", stamp, odom_from_base.inverse());
+    robot.add("odom", "map", stamp, map_from_odom.inverse());
+  } else {
+    robot.add("map", "odom", stamp, map_from_odom);
+    robot.add("odom", "base", stamp, odom_from_base);
+  }
+  for (const Joint& joint : robot.robot().joints)
+    robot.add(robot.robot().links[joint.parent].name, robot.robot().links[joint.child].name, stamp,
+              joint.parent_from_joint * jointMotion(joint, 0));
+}
+
 /// A localisation corrects odom in the map while the base drives in odom: along its way, against
-/// it, or across.
+/// it, or across. The map may be below the base, too.
 TEST(StoppingBoxes, ACorrectionOfTheLocalisationHidesNoSpeed) {
-  for (const Eigen::Vector3d& correction :
-       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0.5, 0, 0),
-        Eigen::Vector3d(-0.5, 0.7, 0)}) {
+  const Eigen::Vector3d driven(1, 0, 0);
+  const Eigen::Isometry3d turned(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d correction = std::vector<Eigen::Vector3d>{
+        {0, 0, 0}, {-1, 0, 0}, {0.5, 0, 0}, {-0.5, 0.7, 0}}[static_cast<std::size_t>(i / 2)];
     Robotics robot(goodParameters());
-    const Eigen::Isometry3d map_from_odom(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
-    for (int i = 20; i >= 0; --i) {
-      const double before = i / kRate;
-      Eigen::Isometry3d corrected = map_from_odom;
-      corrected.translation() = map_from_odom.linear() * -before * correction;
-      robot.add("map", "odom", kStamp - before, corrected);
-      robot.add("odom", "base", kStamp - before,
-                Eigen::Isometry3d(Eigen::Translation3d(-before, 0, 0)));
-      for (std::size_t k = 0; k < robot.robot().joints.size(); ++k) {
-        const Joint& joint = robot.robot().joints[k];
-        robot.add(robot.robot().links[joint.parent].name, robot.robot().links[joint.child].name,
-                  kStamp - before, joint.parent_from_joint * jointMotion(joint, 0));
-      }
+    for (int k = 20; k >= 0; --k) {
+      const double before = k / kRate;
+      Eigen::Isometry3d map_from_odom = turned;
+      map_from_odom.translation() = turned.linear() * -before * correction;
+      const Eigen::Isometry3d odom_from_base(Eigen::Translation3d(-before * driven));
+      sendCorrected(robot, kStamp - before, map_from_odom, odom_from_base, i % 2 == 1);
     }
     robot.scene().update(ros::Time(kStamp));
-    const WayBoxes found = stoppingOf(robot);
+    const WayBoxes found = robot.stopping();
     EXPECT_TRUE(found.moment->incomplete.empty());
-    // It drives on by 0.5 m in odom, or by what the fixed frame shows.
-    for (const Eigen::Vector3d& speed :
-         {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(correction + Eigen::Vector3d(1, 0, 0))}) {
-      Eigen::Isometry3d stopped = map_from_odom;
-      stopped.translation() = map_from_odom.linear() * speed * speed.norm() / 2;
-      EXPECT_TRUE(contains(*found.moment, robot.boxesAt(robot.values({}), stopped)))
-          << correction.transpose();
+    // It drives on by 0.6 m in odom, or by what the fixed frame shows.
+    double farthest = 0;
+    for (const Eigen::Vector3d& speed : {driven, Eigen::Vector3d(correction + driven)}) {
+      Eigen::Isometry3d stopped = turned;
+      const double way = speed.norm() * 0.1 + speed.squaredNorm() / 2;
+      stopped.translation() = turned.linear() * speed.stableNormalized() * way;
+      farthest = std::max(farthest, stopped.translation().norm());
+      EXPECT_TRUE(contains(*found.moment, robot.boxesAt(robot.values({}), stopped))) << i;
+    }
+    const Eigen::Vector3d resting = robot.boxesAt(robot.values({}), turned).at("base").sizes();
+    const Eigen::Vector3d size = boxesOf(found).at("base").sizes();
+    EXPECT_LE((size - resting).maxCoeff(), 2 * farthest + 1e-3) << i;
+    if (correction.isZero()) {
+      EXPECT_LE(size.x() - resting.x(), farthest + 1e-3) << "it keeps its direction";
     }
   }
 }
 
+/// It drives by a frame below, in which it nods, with noise. The box is longer, and hardly wider.
+TEST(StoppingBoxes, ABaseThatNodsKeepsItsDirection) {
+  for (const double noise : {0.0, 1e-8, 1e-4}) {
+    Robotics robot(goodParameters());
+    for (int i = 20; i >= 0; --i) {
+      const double before = i / kRate;
+      robot.add("map", "footprint", kStamp - before,
+                Eigen::Isometry3d(Eigen::Translation3d(-2 * before, 0, 0)));
+      Eigen::Isometry3d nods(Eigen::AngleAxisd(i % 2 * 1e-4, Eigen::Vector3d::UnitY()));
+      nods.translation() = Eigen::Vector3d(0, i % 2 * noise, i % 3 * noise);
+      robot.add("footprint", "base", kStamp - before, nods);
+    }
+    robot.scene().update(ros::Time(kStamp));
+    const Aabb box = boxesOf(robot.stopping()).at("base");
+    EXPECT_GE(box.max().x(), 0.2 + 2) << "2 m/s, 1 m/s^2";
+    EXPECT_LE(box.max().x(), 0.2 + 2 + 0.3);
+    EXPECT_LE(box.max().y(), 0.15 + 0.3) << noise;
+    EXPECT_GE(box.min().x(), -0.2 - 0.3);
+  }
+}
+
+/// A whole turn within each piece of the window looks like standing.
 TEST(StoppingBoxes, ABaseThatTurnsFullyWithinAPieceIsTold) {
   Parameters parameters = goodParameters();
   parameters.velocity_window = 0.2;
