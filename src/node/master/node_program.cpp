@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -47,9 +48,8 @@ void endOnSignals() {
   for (const int number : {SIGINT, SIGTERM}) {
     std::signal(number, [](int) {
       ros::requestShutdown();
-      static volatile std::sig_atomic_t is_set = 0;
-      if (!is_set) alarm(10);
-      is_set = 1;
+      static std::atomic<bool> is_set = false;  // two threads may have a signal each
+      if (!is_set.exchange(true)) alarm(10);
     });
   }
 }
