@@ -25,7 +25,7 @@ SceneGroup allLinks(std::size_t count) {
   return group;
 }
 
-/// The links that can be members of groups. One without any geometry adds nothing to a group.
+/// The links that can be members of groups.
 struct KnownLinks {
   std::map<std::string, std::size_t> bounded;
   std::set<std::string> without_geometry;
@@ -58,13 +58,37 @@ std::vector<SceneGroup> makeGroups(std::size_t links, const Parameters& paramete
   return groups;
 }
 
-KnownLinks knownLinks(const Robot& robot, const Model& model) {
+bool isAsked(const Link& link, const Selection& selection) {
+  return (selection.visual && hasGeometry(link, Purpose::kVisual)) ||
+         (selection.collision && hasGeometry(link, Purpose::kCollision));
+}
+
+/// For each group that names links with geometry of the other kind only: its box lacks them.
+std::vector<std::string> groupsWithLeftOut(const Parameters& parameters, const Robot& robot,
+                                           const Selection& selection) {
+  std::vector<std::string> warnings;
+  for (const auto& [group, members] : parameters.groups) {
+    std::string names;
+    for (const Link& link : robot.links) {
+      const bool has_any =
+          hasGeometry(link, Purpose::kVisual) || hasGeometry(link, Purpose::kCollision);
+      const bool is_left_out = has_any && !isAsked(link, selection);
+      if (is_left_out && std::count(members.begin(), members.end(), link.name) > 0)
+        names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+    }
+    if (!names.empty())
+      warnings.push_back("box \"" + group + "\" of ~groups does not cover " + names +
+                         ", with geometry of the other kind only; set ~geometry to both");
+  }
+  return warnings;
+}
+
+KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& selection) {
   KnownLinks known;
   for (std::size_t i = 0; i < model.links.size(); ++i)
     known.bounded[model.links[i].name] = i;
   for (const Link& link : robot.links) {
-    if (!hasGeometry(link, Purpose::kVisual) && !hasGeometry(link, Purpose::kCollision))
-      known.without_geometry.insert(link.name);
+    if (!isAsked(link, selection)) known.without_geometry.insert(link.name);
   }
   return known;
 }
@@ -243,7 +267,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   for (const BoundedLink& link : model.links) {
     model.frames.push_back(tfName(parameters.tf_prefix, link.name));
   }
-  model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model));
+  model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
   model.bodies = bodiesOf(robot, bounded.indices);
   model.robot = std::make_shared<const Robot>(robot);
   model.robot_links = bounded.indices;
@@ -265,6 +289,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
         "other nodes leave out of ~neighbours what has the name of a "
         "neighbour's box, with a slash at its begin and another one: " +
         hidden + "; give these links other names");
+  const std::vector<std::string> lacking = groupsWithLeftOut(parameters, robot, selection);
+  model.warnings.insert(model.warnings.end(), lacking.begin(), lacking.end());
   const std::string ambiguous = namesThat(model.links, [](const std::string& name) {
     return !isNeighbourName(name) && parseObjectName(name);
   });

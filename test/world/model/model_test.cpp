@@ -73,13 +73,22 @@ TEST(Model, GroupsFollowTheRobotInAlphabeticalOrder) {
   EXPECT_FALSE(model.groups[2].lacks_members) << "a link without geometry is not missing";
 }
 
-/// Its box would not hold a link that was named.
-TEST(Model, AMemberWithGeometryOfTheOtherKindMakesAGroupIncomplete) {
+/// Its box does not hold a link that was named.
+TEST(Model, AMemberWithGeometryOfTheOtherKindIsWarnedOf) {
+  std::string urdf = kUrdf;
+  const std::string bare = "<link name=\"bare\"/>";
+  urdf.replace(urdf.find(bare), bare.size(),
+               "<link name=\"bare\"><collision><geometry><sphere radius=\"1\"/></geometry>"
+               "</collision></link>");
   Parameters parameters;
-  parameters.groups = {{"tool", {"arm", "base"}}};
-  EXPECT_FALSE(modelWith(parameters).groups[1].lacks_members);
-  parameters.geometry = "collision";
-  EXPECT_TRUE(modelWith(parameters).groups[1].lacks_members);
+  parameters.groups = {{"tool", {"arm", "bare"}}, {"whole", {"arm", "base"}}};
+  EXPECT_TRUE(modelWith(parameters).warnings.empty()) << "it has no geometry at all";
+  const Model model = modelWith(parameters, urdf);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_EQ(model.warnings[0].find("box \"tool\" of ~groups does not cover \"bare\","), 0u)
+      << model.warnings[0];
+  parameters.geometry = "both";
+  EXPECT_TRUE(modelWith(parameters, urdf).warnings.empty());
 }
 
 TEST(Model, ASpanThatTfDoesNotRememberIsWarnedOf) {
