@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::uint32_t kJointQueue = 1000;  // messages, a second at 1 kHz
 
-/// As for transforms: see ClockWatch::isFromBeforeJump.
-constexpr double kAfterJump = 0.5;                 // s of steady time
-constexpr std::int64_t kBeforeJump = 500'000'000;  // ns ahead of the clock
-
 }  // namespace
 
 JointStateReceiver::JointStateReceiver() {
@@ -33,8 +29,9 @@ const JointStates& JointStateReceiver::read(std::uint64_t epoch) {
         kJointStatesTopic.name, kJointQueue, [this](const Event& event) { take(event); }, {},
         ros::TransportHints().tcpNoDelay());
   }
+  clock_.observe(ros::Time::now());
   queue_.callAvailable();
-  if (states_.observeEpoch(epoch)) jump_ = ros::SteadyTime::now();
+  states_.observeEpoch(epoch);
   return states_;
 }
 
@@ -49,7 +46,9 @@ void JointStateReceiver::take(const Event& event) {
   if (!incomplete_messages_.accept(message, kJointStatesTopic.name, event.getPublisherName()))
     return;
   const auto stamp = static_cast<std::int64_t>(message.header.stamp.toNSec());
-  const auto now = static_cast<std::int64_t>(ros::Time::now().toNSec());
+  const ros::Time ros_now = ros::Time::now();
+  if (clock_.isFromBeforeJump(message.header.stamp, ros_now, ros::SteadyTime::now())) return;
+  const auto now = static_cast<std::int64_t>(ros_now.toNSec());
   if (now > 0 && stamp - now > EdgeHistory::kLength) {
     const std::string line =
         ahead_log_.line("messages on " + std::string(kJointStatesTopic.name) + " from \"" +
@@ -60,8 +59,6 @@ void JointStateReceiver::take(const Event& event) {
     if (!line.empty()) ROS_WARN("%s", logText(line).c_str());
     return;
   }
-  const bool has_jumped = !jump_.isZero() && (ros::SteadyTime::now() - jump_).toSec() < kAfterJump;
-  if (has_jumped && stamp - now > kBeforeJump) return;
   const bool have_velocities = message.velocity.size() == message.name.size();
   for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i) {
     JointReport report{stamp, message.position[i], {}};

@@ -10,6 +10,7 @@
 #include "node/inputs/incomplete_messages.h"
 #include "world/log/repeat_log.h"
 #include "world/stopping/joint_states.h"
+#include "world/tf/clock_watch.h"
 
 namespace link_bounds {
 
@@ -22,9 +23,8 @@ class JointStateReceiver {
 
   /// All that has come since the topic is subscribed to, which the first call does. If `epoch`,
   /// that of tf, has changed since the last call, the clock has jumped back, and all is forgotten.
-  /// Stamps more than ten seconds ahead of the clock are ignored: others would count as old. So
-  /// are, for half a second after a jump, those more than half a second ahead: they are of before
-  /// it.
+  /// Stamps more than ten seconds ahead of the clock are ignored: others would count as old. What
+  /// was sent before a jump is ignored, too; see ClockWatch::isFromBeforeJump.
   const JointStates& read(std::uint64_t epoch);
 
   /// Forgets all, until the next read().
@@ -40,7 +40,7 @@ class JointStateReceiver {
   ros::Subscriber subscriber_;
   IncompleteMessages incomplete_messages_;
   RepeatLog ahead_log_;
-  ros::SteadyTime jump_;  ///< the last one; zero if there was none
+  ClockWatch clock_;
   JointStates states_;
 };
 

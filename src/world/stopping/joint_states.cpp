@@ -37,10 +37,8 @@ void JointStates::clear() {
   joints_.clear();
 }
 
-bool JointStates::observeEpoch(std::uint64_t epoch) {
-  const bool is_new = std::exchange(epoch_, epoch) != epoch;
-  if (is_new) clear();
-  return is_new;
+void JointStates::observeEpoch(std::uint64_t epoch) {
+  if (std::exchange(epoch_, epoch) != epoch) clear();
 }
 
 std::optional<std::vector<JointReport>> JointStates::reports(const std::string& joint,

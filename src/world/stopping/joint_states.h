@@ -30,8 +30,8 @@ class JointStates {
   void clear();
 
   /// Forgets all if the clock has jumped back since the last call: then the epoch of tf is another
-  /// one. Returns whether it is.
-  bool observeEpoch(std::uint64_t epoch);
+  /// one.
+  void observeEpoch(std::uint64_t epoch);
 
   /// The reports of a joint that tell how it moves at `stamp`: those of `window` before it [ns],
   /// and the next one after it, in order. Nothing for a joint that was never reported.

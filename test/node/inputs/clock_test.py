@@ -2,15 +2,18 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A clock that is absent, stands still, or jumps back and forth while tf goes on."""
+import itertools
 import threading
 import time
 import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, at, box_of, load, names_of, wait_for
+from bounds_testing import (Recorder, TfSender, at, box_link, box_of, load, names_of, transform,
+                            wait_for)
 from node_testing import (ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, Repeater,
                           SimulatedClock, at_angles, shows)
+from sensor_msgs.msg import JointState
 
 CLOCKLESS = "/clockless"
 TIMEOUT = 0.5  # ROS seconds
@@ -18,6 +21,10 @@ STILL = 3.0  # wall seconds
 BACK_AGAIN = 0.5  # wall seconds in which boxes of a new era must appear
 YEAR_2100 = rospy.Time(4102444800)
 ONLY_STATIC = {name: 0 for name in STATIC}
+
+SLIDE = ('<robot name="slide"><link name="rail"/>' + box_link("cart", (0.2, 0.2, 0.2)) +
+         '<joint name="slide" type="prismatic"><parent link="rail"/><child link="cart"/>'
+         '<axis xyz="1 0 0"/><limit lower="-99" upper="99" effort="1" velocity="2"/></joint></robot>')
 
 
 class ClockTest(unittest.TestCase):
@@ -95,6 +102,47 @@ class ClockTest(unittest.TestCase):
                                     abs((m.header.stamp - at(begin)).to_sec()) < 1, "new boxes")
             self.assertLess(time.monotonic() - start, BACK_AGAIN, "after a jump by %g s" % jump)
             self.check_no_return(first, degrees)
+
+    def test_joint_states_of_before_a_jump(self):
+        """As with tf: one that comes after it, of five seconds ahead, would make the cart fast."""
+        load(NODE, SLIDE, timeout=TIMEOUT, joint_states=True, velocity_window=0.1,
+             deceleration={"slide": 2.0}, acceleration={"slide": 2.0})
+        stopping = Recorder(NODE + "/stopping")
+        joints = rospy.Publisher("joint_states", JointState, queue_size=1000, tcp_nodelay=True)
+        self.addCleanup(joints.unregister)
+        tf = TfSender()
+        self.addCleanup(tf.end)
+        tf.wait_for_listener()
+
+        def report(seconds, x):
+            message = JointState(name=["slide"], position=[x], velocity=[0.1])
+            message.header.stamp = at(seconds)
+            joints.publish(message)
+
+        def send(seconds, x):
+            """The driver is later than tf."""
+            self.clock.publish(seconds)
+            report(seconds - 0.02, x - 0.002)
+            tf.send(transform("rail", "cart", at(seconds), (x, 0, 0)))
+
+        def boxes_since(begin):
+            return [box_of(m, "cart") for m in stopping.messages if box_of(m, "cart") and
+                    0 <= (box_of(m, "cart").stamp - at(begin)).to_sec() < 2]
+
+        def drive(begin):
+            ticks = itertools.count()
+
+            def has_boxes():
+                tick = next(ticks)
+                send(begin + 0.01 * tick, 0.001 * tick)
+                if begin < self.now and tick < 50:  # of before the jump
+                    report(self.now + 1, 0.1)
+                return tick > 60 and len(boxes_since(begin)) > 10
+            wait_for(has_boxes, "boxes from %g s on" % begin)
+            return max(box.max.x - box.min.x for box in boxes_since(begin))
+
+        self.assertLess(drive(self.now), 1)
+        self.assertLess(drive(self.now - 5), 1)
 
     def check_no_return(self, first, degrees):
         """All further messages are of the new era."""

@@ -16,6 +16,15 @@ constexpr char kUrdf[] = R"(<robot name="r">
   <joint name="j2" type="fixed"><parent link="bare"/><child link="arm"/></joint>
 </robot>)";
 
+/// Link "bare" has collision geometry.
+std::string urdfWithCollision() {
+  std::string urdf = kUrdf;
+  const std::string bare = "<link name=\"bare\"/>";
+  return urdf.replace(urdf.find(bare), bare.size(),
+                      "<link name=\"bare\"><collision><geometry><sphere radius=\"1\"/></geometry>"
+                      "</collision></link>");
+}
+
 Model modelWith(const Parameters& parameters, const std::string& urdf = kUrdf) {
   RobotLoader loader([](const MeshFile&) -> TriangleMesh { throw MeshError("not asked for"); });
   return makeModel(urdf, parameters, loader, meshSource(parameters));
@@ -42,11 +51,7 @@ TEST(Model, FixedFrameIsThePrefixedRootUnlessGiven) {
 }
 
 TEST(Model, TellsWhatHasGeometryOfTheOtherKindOnly) {
-  std::string urdf = kUrdf;
-  const std::string bare = "<link name=\"bare\"/>";
-  urdf.replace(urdf.find(bare), bare.size(),
-               "<link name=\"bare\"><collision><geometry><sphere radius=\"1\"/></geometry>"
-               "</collision></link>");
+  const std::string urdf = urdfWithCollision();
   Parameters parameters;
   EXPECT_EQ(modelWith(parameters).left_out, "");
   EXPECT_EQ(modelWith(parameters, urdf).left_out,
@@ -75,11 +80,7 @@ TEST(Model, GroupsFollowTheRobotInAlphabeticalOrder) {
 
 /// Its box does not hold a link that was named.
 TEST(Model, AMemberWithGeometryOfTheOtherKindIsWarnedOf) {
-  std::string urdf = kUrdf;
-  const std::string bare = "<link name=\"bare\"/>";
-  urdf.replace(urdf.find(bare), bare.size(),
-               "<link name=\"bare\"><collision><geometry><sphere radius=\"1\"/></geometry>"
-               "</collision></link>");
+  const std::string urdf = urdfWithCollision();
   Parameters parameters;
   parameters.groups = {{"tool", {"arm", "bare"}}, {"whole", {"arm", "base"}}};
   EXPECT_TRUE(modelWith(parameters).warnings.empty()) << "it has no geometry at all";

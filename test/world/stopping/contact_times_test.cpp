@@ -125,6 +125,33 @@ TEST(ContactTimes, AFixedJointThatIsDatedAheadBringsNothingForward) {
   EXPECT_GE(untilOf(array), kStamp + 0.99);
 }
 
+/// A localisation dates map -> odom ahead. The fixed frame is odom.
+TEST(ContactTimes, WhatIsDatedAheadAboveTheFixedFrameBringsNothingForward) {
+  for (const double ahead : {0.0, 0.5}) {
+    MovingRobot robot(carts(), parametersOf("odom", 2));
+    for (int i = 20; i >= 0; --i) {
+      robot.add("map", "odom", kStamp + ahead - 0.01 * i,
+                Eigen::Isometry3d(Eigen::Translation3d(0.01 * i, 0, 0)));
+      for (const auto& [cart, x] : std::map<std::string, double>{{"left", 0}, {"right", 3}})
+        robot.add("rail", cart, kStamp - 0.01 * i,
+                  Eigen::Isometry3d(Eigen::Translation3d(x, 0, 0)));
+    }
+    robot.tf().add({edge("odom", "rail", kStamp, Eigen::Quaterniond::Identity(), {0, 0, 0})}, true,
+                   ros::Time(kStamp));
+    ObjectContent content;
+    content.bounded.name = "post/0";
+    content.bounded.shapes = {{nullptr, Solid::kBox, {0.2, 0.2, 0.2}, Eigen::Affine3d::Identity()}};
+    content.bounded.shapes[0].link_from_shape.translation().x() = -1.2;
+    content.frame = "odom";
+    robot.scene().objects.put({"post", 0}, content, ros::Time(kStamp));
+    robot.scene().update(ros::Time(kStamp));
+    const EarliestContactArray array = robot.earliest();
+    EXPECT_TRUE(array.incomplete.empty());
+    EXPECT_GE(untilOf(array), kStamp + 1.99) << "left is 1 m from the post, at 0.5 m/s";
+    EXPECT_LE(untilOf(array), kStamp + 2.0);
+  }
+}
+
 /// A sphere on an arm of 1 m turns by a quarter at 0.5 rad/s until it touches, less what both
 /// spheres take.
 TEST(ContactTimes, AreNearTheTruthForATurn) {
