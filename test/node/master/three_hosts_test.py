@@ -5,6 +5,7 @@
 
 Run without arguments; with one it is a process on one of the hosts.
 """
+import contextlib
 import json
 import math
 import os
@@ -30,8 +31,8 @@ CUT_LENGTH = 10.0  # s
 RIGHT_AGAIN = 2.0  # s after a cable is back
 YOUNG = 0.2  # s; two cables with their delay take 40 ms
 RATE = 20  # Hz
+SILENT_STATES = RATE * RIGHT_AGAIN  # so many joint states in a row are never without boxes
 DEGREES_PER_SECOND = 36
-READY = "ready"  # what the robot prints when its description is there
 
 JOINTS = {"left": ("0.5 0.3 0", "0 0 1"), "left_tip": ("0.3 0 0", "0 1 0"),
           "right": ("0.5 -0.3 0", "0 0 -1")}  # origin and axis, as joint_pose has them
@@ -51,17 +52,17 @@ def degrees_at(nanoseconds):
 
 
 def be_robot():
-    """Sets the description, then moves the joints for ever."""
+    """Sets the description, then moves the joints for ever and prints the stamp of each state."""
     rospy.init_node("robot")
     rospy.set_param("/robot_description", ROBOT)
     publisher = rospy.Publisher("/joint_states", JointState, queue_size=1, tcp_nodelay=True)
-    print(READY, flush=True)
     ticks = rospy.Rate(RATE, reset=True)
     while not rospy.is_shutdown():
         now = rospy.Time.now()
         angle = math.radians(degrees_at(now.to_nsec()))
         publisher.publish(JointState(header=Header(stamp=now), name=list(JOINTS),
                                      position=[angle] * len(JOINTS)))
+        print(json.dumps(now.to_sec()))
         ticks.sleep()
 
 
@@ -79,27 +80,22 @@ def be_consumer():
     rospy.spin()
 
 
-class Consumer:
-    """What the process on the third host prints."""
+class Printed:
+    """What a process prints."""
 
     def __init__(self, process):
         self._process = process
-        self._messages = []
+        self._values = []
         threading.Thread(target=self._read, daemon=True).start()
 
     def _read(self):
         for line in self._process.stdout:
-            if line.startswith(b"{"):  # rospy tells there that the master is not up yet
-                self._messages.append(json.loads(line))
+            with contextlib.suppress(ValueError):  # rospy tells there that the master is not up
+                self._values.append(json.loads(line))
 
     @property
-    def messages(self):
-        return list(self._messages)
-
-    def first_after(self, moment):
-        """The first message that is complete and made after a moment, or None."""
-        return next((m for m in self.messages
-                     if m["stamp"] > moment and not m["incomplete"]), None)
+    def values(self):
+        return list(self._values)
 
 
 def wait_until(moment):
@@ -116,7 +112,7 @@ class ThreeHosts(unittest.TestCase):
         for host in cls.hosts.values():
             host.watch_neighbours()
         cls.start_processes()
-        wait_for(lambda: cls.consumer.first_after(0), "boxes on the third host")
+        wait_for(lambda: cls.first_after(0), "boxes on the third host")
         if not all([host.make_bad() for host in cls.hosts.values()]):
             print("skipped: no tc netem, so three hosts without delay and loss", flush=True)
         cls.live_for_a_minute()
@@ -134,12 +130,17 @@ class ThreeHosts(unittest.TestCase):
     def start_processes(cls):
         me = [sys.executable, os.path.abspath(__file__)]
         cls.start("robot", "rosmaster", "--core", "-p", "11311", stdout=subprocess.DEVNULL)
-        robot = cls.start("robot", *me, "robot", stdout=subprocess.PIPE)
-        if not any(line.decode().strip() == READY for line in iter(robot.stdout.readline, b"")):
-            raise AssertionError("the robot has ended")
+        cls.robot = Printed(cls.start("robot", *me, "robot", stdout=subprocess.PIPE))
+        wait_for(lambda: cls.robot.values, "the robot has its description and moves")
         cls.start("robot", executable("robot_state_publisher", "robot_state_publisher"))
         cls.node = cls.start("node", executable("link_bounds", "link_bounds_publisher"))
-        cls.consumer = Consumer(cls.start("consumer", *me, "consumer", stdout=subprocess.PIPE))
+        cls.consumer = Printed(cls.start("consumer", *me, "consumer", stdout=subprocess.PIPE))
+
+    @classmethod
+    def first_after(cls, moment):
+        """The first message that is complete and made after a moment, or None."""
+        return next((m for m in cls.consumer.values
+                     if m["stamp"] > moment and not m["incomplete"]), None)
 
     @classmethod
     def live_for_a_minute(cls):
@@ -155,10 +156,10 @@ class ThreeHosts(unittest.TestCase):
             cls.cuts[host] = (cut, time.time())
         wait_until(start + MINUTE)
         cls.end = time.time()
-        wait_for(lambda: cls.consumer.first_after(cls.end), "boxes after the minute")
+        wait_for(lambda: cls.first_after(cls.end), "boxes after the minute")
 
     def test_every_box_is_right(self):
-        for message in self.consumer.messages:
+        for message in self.consumer.values:
             boxes = message["boxes"]
             self.assertEqual(sorted([*boxes, *message["incomplete"]]), sorted(ALL))
             for name, (stamp, corners) in boxes.items():
@@ -168,27 +169,28 @@ class ThreeHosts(unittest.TestCase):
     def test_no_stretch_without_cut_is_silent(self):
         borders = [self.begin, *(moment for cut in self.cuts.values() for moment in cut), self.end]
         for begin, end in zip(borders[::2], borders[1::2]):
-            stamps = [m["stamp"] for m in self.consumer.messages
-                      if begin < m["stamp"] < end and not m["incomplete"]]
+            # States, not seconds: a machine that stands still for a moment stops the robot, too.
+            states = [stamp for stamp in self.robot.values if begin < stamp < end]
+            boxed = {m["stamp"] for m in self.consumer.values if not m["incomplete"]}
             # TCP repeats what is lost on the way, but the robot skips some joint states.
-            self.assertGreater(len(set(stamps)), RATE / 2 * (end - begin - RIGHT_AGAIN))
-            gaps = [b - a for a, b in zip(stamps, stamps[1:])]
-            self.assertLess(max(gaps), RIGHT_AGAIN)
+            self.assertGreater(len(boxed & set(states)), (len(states) - SILENT_STATES) / 2)
+            seen = [i for i, stamp in enumerate(states) if stamp in boxed]
+            self.assertLess(max(b - a for a, b in zip(seen, seen[1:])), SILENT_STATES)
 
     def test_a_cut_cable_carries_nothing(self):
         for cut, restored in self.cuts.values():
-            came = [m for m in self.consumer.messages if cut + 1 < m["received"] < restored]
+            came = [m for m in self.consumer.values if cut + 1 < m["received"] < restored]
             self.assertEqual([m for m in came if not m["incomplete"]], [])
 
     def test_boxes_are_right_again_in_time(self):
         for host, (_, restored) in self.cuts.items():
-            after = self.consumer.first_after(restored)["received"] - restored
+            after = self.first_after(restored)["received"] - restored
             print("three hosts: right boxes %.2f s after the cable of the %s host was back"
                   % (after, host), flush=True)
             self.assertLess(after, RIGHT_AGAIN)
 
     def test_boxes_are_young(self):
-        ages = [m["received"] - m["stamp"] for m in self.consumer.messages if not m["incomplete"]]
+        ages = [m["received"] - m["stamp"] for m in self.consumer.values if not m["incomplete"]]
         print("three hosts: %d messages, median age %.1f ms"
               % (len(ages), 1e3 * statistics.median(ages)), flush=True)
         self.assertLess(statistics.median(ages), YOUNG)

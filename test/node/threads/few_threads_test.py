@@ -25,10 +25,13 @@ class FewThreads(OwnMasterTest):
     def reason(self, threads):
         """Why a node does not start with so many threads; None if it does."""
         environment = dict(os.environ, LD_PRELOAD=FEW_THREADS, FEW_THREADS=str(threads))
-        with NodeProcess("few_threads", environment=environment) as node:
+        with NodeProcess("with_%d_threads" % threads, environment=environment) as node:
             boxes = Recorder(node.name + "/boxes")
             self.addCleanup(boxes.subscriber.unregister)
-            wait_for(lambda: boxes.messages or not node.is_running, "boxes or an end")
+            try:
+                wait_for(lambda: boxes.messages or not node.is_running, "boxes or an end")
+            except AssertionError as error:
+                raise AssertionError("%s: %s" % (error, node.output)) from error
             if node.is_running:
                 return None
             self.assertEqual(node.wait(), 1, node.output)
