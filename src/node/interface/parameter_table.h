@@ -202,7 +202,7 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("during_reaction", p.during_reaction, rules::duringReaction,
         "until they brake, joints keep their measured speed, or may reach the limit of the URDF");
   visit("velocity_window", p.velocity_window, rules::positive,
-        "seconds, > 0, of transforms from which speeds come; one must follow the other within it");
+        "seconds, > 0, of transforms from which speeds come; no two in a row may be farther apart");
   visit("joint_states", p.joint_states, rules::any<bool>,
         "speeds of the joints that the topic joint_states has come from there, others from tf");
   visit("parts_per_link", p.parts_per_link, rules::partCount,

@@ -191,6 +191,8 @@ class PartsTest(unittest.TestCase):
             expected = "parts_per_link is %s, but must be a whole number" % number
             with self.assertRaisesRegex(AssertionError, expected):
                 self.load_blocks(parts_per_link=number)
+        with self.assertRaisesRegex(AssertionError, "a whole number of at most 2147483647"):
+            self.load_blocks(parts_per_link=3e9)  # which XML-RPC sends as a double
         self.load_blocks(parts_per_link=2)
 
 

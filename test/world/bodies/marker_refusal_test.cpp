@@ -155,6 +155,15 @@ TEST(MarkerRefusal, WrongNumbersOfPoints) {
     expect(type, {0}, {1, 2});
 }
 
+/// Some remove a marker by sending it empty.
+TEST(MarkerRefusal, AnEmptyListNamesDelete) {
+  for (const int type :
+       {Marker::CUBE_LIST, Marker::LINE_STRIP, Marker::LINE_LIST, Marker::TRIANGLE_LIST})
+    expectRefused(
+        markerOf(type, {1, 1, 1}, 0),
+        "points has 0 elements; a list needs at least 1; to remove the marker, send DELETE");
+}
+
 TEST(MarkerRefusal, AMeshWithoutAName) {
   Marker marker = markerOf(Marker::MESH_RESOURCE, {1, 1, 1});
   marker.mesh_resource.clear();
