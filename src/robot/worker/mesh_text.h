@@ -42,6 +42,9 @@ class Lines {
   /// What follows the last line.
   std::string rest();
 
+  /// Whether the last line ended with \r, alone or before \n. Not to be asked after rest().
+  bool isAfterCr() const { return is_after_cr_; }
+
   /// The file as it is; there is no next line.
   std::string all();
 

@@ -128,6 +128,7 @@ class Data {
     return length;
   }
 
+  bool beginsWith(char byte) const { return !bytes_.empty() && bytes_[0] == byte; }
   bool hasRest() const { return bytes_.find_first_not_of(" \t\r\n", at_) != std::string::npos; }
 
  private:
@@ -201,7 +202,12 @@ void checkPly(Lines& lines) {
     if (lines.next()) refuseRest();
     return;
   }
+  const bool is_after_cr = lines.isAfterCr();
   Data data(lines.rest(), header.format == "binary_big_endian");
+  if (!is_after_cr && data.beginsWith('\n'))
+    throw MeshError(
+        "assimp takes the first byte of its data, 0x0A, for an end of the header; "
+        "store it as text");
   for (const Elements& each : header.elements)
     checkBinary(data, each);
   if (data.hasRest()) refuseRest();

@@ -387,6 +387,24 @@ TEST_F(ImportRefusals, ABinaryPlyOfAnotherSizeThanItSays) {
   }
 }
 
+/// Assimp skips it as the end of a line, and reads the rest one byte too early.
+TEST_F(ImportRefusals, ABinaryPlyWhoseFirstByteIsALineFeed) {
+  for (const char byte : {'\n', '\r', ' ', '\0'}) {
+    for (const bool has_cr : {false, true}) {
+      std::string file = binaryPly(false, 4, 2);
+      const std::string end = "end_header\r\n";
+      file[file.find(end) + end.size()] = byte;
+      std::string header = file.substr(0, file.find(end) + end.size());
+      const std::string data = file.substr(header.size());
+      if (!has_cr) header.erase(std::remove(header.begin(), header.end(), '\r'), header.end());
+      if (byte == '\n' && !has_cr)
+        expectRefused("a.ply", header + data, "the first byte of its data, 0x0A");
+      else
+        EXPECT_EQ(import("a.ply", header + data).triangles.size(), 2u) << int{byte} << has_cr;
+    }
+  }
+}
+
 TEST_F(ImportRefusals, AFileWhoseNameHidesItsFormat) {
   expectRefused("3f2a77", binaryStl(tetrahedronCorners()), "; name it with its extension");
   EXPECT_EQ(import("3f2a78", asciiStl(tetrahedronCorners())).triangles.size(), 4u);
