@@ -170,7 +170,8 @@ void PublisherNode::spin() {
   }
 }
 
-/// While the node keeps up, each message leads to an update. Else all that wait are taken first.
+/// While the node keeps up, each message leads to an update. Else all that wait are taken before
+/// one update, and messages of /tf for which kMaxTaking leaves no time are skipped.
 void PublisherNode::callWaiting() {
   const auto begin = std::chrono::steady_clock::now();
   const TimedQueue::Backlog backlog = queue_.backlog();
@@ -245,10 +246,9 @@ void PublisherNode::onTick() {
   earliest_output_.restIfUnheard();
   freeMemory();
   if (feed_.clock().isMissing()) {
-    ROS_WARN_STREAM_ONCE(
-        "use_sim_time is set, but /clock has told no time yet: nobody publishes it, or it stands "
-        "at "
-        "0; waiting for it");
+    ROS_WARN_ONCE(
+        "use_sim_time is set, but /clock has had no time yet: nobody publishes it, or it stands "
+        "at 0; waiting for it");
   }
 }
 
@@ -295,7 +295,7 @@ void PublisherNode::publishDiagnostics() {
   health.errors = unexpectedErrors();
   health.joined = feed_.takeJoined();
   health.skipped = std::exchange(skipped_, 0);
-  health.most_waiting = queue_.takeMostWaiting();
+  health.max_waiting = queue_.takeMaxWaiting();
   health.lag_ms = output_.takeMaxLag();
   if (const auto lag = feed_.tf().takeMaxLag()) {
     const double lag_ms = static_cast<double>(*lag) / 1e6;

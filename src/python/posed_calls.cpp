@@ -55,8 +55,8 @@ void workOn(const SharedRobot& shared, const JointRows& rows, std::size_t row, P
   }
 }
 
-/// On several threads. What one throws ends all. The others return then: of several exceptions,
-/// forRows() throws that of any thread.
+/// Calls `work` for each row, on `jobs` threads. An exception ends all of them; forRows() throws
+/// that of one thread.
 void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const StopFlag& stop,
               const PoseWork& work) {
   std::vector<Borrowed> workers;

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "link_bounds/geometry/parts/link_parts.h"
+#include "text/joined.h"
 
 namespace link_bounds {
 namespace {
@@ -276,13 +277,14 @@ std::string leftOutNote(const Robot& robot, const Selection& selection) {
   if (selection.visual && selection.collision) return "";
   const Purpose chosen = selection.visual ? Purpose::kVisual : Purpose::kCollision;
   const Purpose other = selection.visual ? Purpose::kCollision : Purpose::kVisual;
-  std::string names;
+  std::vector<std::string> names;
   for (const Link& link : robot.links) {
     if (isSelected(link, selection) && !hasGeometry(link, chosen) && hasGeometry(link, other))
-      names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+      names.push_back(link.name);
   }
   if (names.empty()) return "";
-  return "left out are links with " + std::string(toText(other)) + " geometry only: " + names;
+  return "left out are links with " + std::string(toText(other)) +
+         " geometry only: " + quotedList(names);
 }
 
 }  // namespace link_bounds

@@ -28,4 +28,9 @@ std::string joined(const Texts& texts, const std::string& separator) {
   return joined(texts, separator, [](const std::string& text) { return text; });
 }
 
+template <class Names>
+std::string quotedList(const Names& names) {
+  return joined(names, ", ", quoted);
+}
+
 }  // namespace link_bounds

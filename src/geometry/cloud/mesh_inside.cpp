@@ -90,7 +90,7 @@ struct Edge {
   }
 };
 
-/// Of triangles that have copies.
+/// The edges of the triangles that have copies, sorted.
 std::vector<Edge> sortedEdges(const std::vector<Corners>& triangles,
                               const std::vector<std::uint32_t>& copies) {
   std::vector<Edge> edges;

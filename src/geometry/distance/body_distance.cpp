@@ -21,7 +21,7 @@ constexpr int kHullSteps = 100;
 /// Then the bounds of a memory begin again: four bytes keep a micrometre up to here [m].
 constexpr double kFarthestMove = 4;
 
-/// Of the accuracy, the rest of which is left to the triangles.
+/// The share of the accuracy that hulls use; the rest is for the triangles.
 constexpr double kHullTolerance = 0.25;
 
 using Candidate = SearchRoom::ShapeIndices;

@@ -19,7 +19,7 @@ constexpr double kPlaceTolerance = 8 * kUnitRoundoff;
 constexpr double kRigidTolerance = 32 * kUnitRoundoff;
 
 /// A body of more shapes is left as it is: each cylinder is compared with every shape.
-constexpr std::size_t kMostShapes = 64;
+constexpr std::size_t kMaxShapes = 64;
 
 bool isBareSolid(const BodyShape& body_shape, Solid solid) {
   return body_shape.shape.solid == solid && !body_shape.shape.points && !body_shape.triangles &&
@@ -96,7 +96,7 @@ bool merge(std::vector<BodyShape>& shapes, std::size_t index) {
 }  // namespace
 
 std::shared_ptr<const Body> withCores(std::shared_ptr<const Body> body) {
-  if (!body || body->shapes.size() > kMostShapes) return body;
+  if (!body || body->shapes.size() > kMaxShapes) return body;
   if (std::none_of(body->shapes.begin(), body->shapes.end(), isBall)) return body;
   std::vector<BodyShape> shapes = body->shapes;
   for (std::size_t i = 0; i < shapes.size();)

@@ -31,7 +31,7 @@ constexpr double kShare = 1 - 0x1p-19;
 
 constexpr double kFloatUnderflow = 1e-34;  // m
 
-/// Of lengths and scales: squares of areas stay finite.
+/// Max of lengths and scales: squares of areas stay finite.
 constexpr double kLargestLeaf = 1e8;
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();

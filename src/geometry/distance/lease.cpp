@@ -33,7 +33,7 @@ namespace link_bounds {
 namespace {
 
 constexpr double kSlack = 16;
-constexpr double kLeastDefect = 64 * kUnitRoundoff;
+constexpr double kMinDefect = 64 * kUnitRoundoff;
 constexpr double kLargestDefect = 1e-9;  // that of poses of tf is below 1e-14
 constexpr double kFarthest = 1e9;        // m; the square of nothing overflows
 
@@ -56,7 +56,7 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
   const Eigen::Matrix3d axes = world_from_body.linear();
   const Eigen::Vector3d origin = world_from_body.translation();
   const Eigen::Matrix3d product = axes.transpose() * axes;
-  const double defect = (product - Eigen::Matrix3d::Identity()).norm() + kLeastDefect;
+  const double defect = (product - Eigen::Matrix3d::Identity()).norm() + kMinDefect;
   const double from_origin = origin.norm();
   const bool is_small = from_origin <= kFarthest && ball.reach <= kFarthest;
   if (!(defect <= kLargestDefect) || !is_small || axes.determinant() < 0) return std::nullopt;

@@ -68,7 +68,7 @@ class Lease {
   Lease(const BodyDistance& found, const PosePair& now, const RigidBody& first,
         const RigidBody& second);
 
-  /// Of the same two bodies, since the poses of the lease.
+  /// How the same two bodies have moved since the poses of the lease.
   RelativeMotion motion(const PosePair& now, const RigidBody& first,
                         const RigidBody& second) const {
     return motionBetween(then_, now, &resting(first, second) == &first ? second : first);

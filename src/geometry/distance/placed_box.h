@@ -16,7 +16,7 @@ struct BoxPlacement {
   Eigen::Matrix3f linear;
   float largest;  ///< entry of `linear`
 
-  /// Of the width of a node's box, as derived below [m].
+  /// The pad of the width of a node's box, as derived below [m].
   double padOf(const TreeNode& node) const {
     return 0x1p-19f * largest *
            ((node.x.abs() + node.y.abs() + node.z.abs()) * TreeNode::edgesOnly()).sum();

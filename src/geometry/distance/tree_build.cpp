@@ -13,7 +13,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of vertices and sizes: the products of two such lengths stay finite.
+/// Max of vertices and sizes [m]: the products of two such lengths stay finite.
 constexpr double kLargestCoordinate = 1e30;
 
 /// Every box is larger than its triangles by this part of their distance from its centre. The axes
@@ -226,7 +226,7 @@ class VertexBlocks {
     }
   }
 
-  /// Of all nodes below, too.
+  /// Sets it for all nodes below, too.
   void setFirstVertex(TreeNode& node, std::uint32_t vertex) {
     node.first_vertex = vertex;
     if (node.isLeaf()) return;

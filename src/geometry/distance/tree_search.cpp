@@ -153,7 +153,7 @@ class NodeSearch {
     return std::nullopt;
   }
 
-  /// Of those pairs of the last front that were looked at, so many still hold.
+  /// True if fewer than a quarter of the pairs that were looked at still hold: `held` of them.
   bool isOfAnotherTime(std::ptrdiff_t held) const {
     return scratch_.near.size() > 3 * static_cast<std::size_t>(held);
   }
@@ -178,20 +178,20 @@ class NodeSearch {
 
   /// How far the boxes of two nodes are proven to be apart along a unit direction.
   double lowerAlong(const NodePair& pair, const Eigen::Vector3d& normal) const {
-    return -reach(pair_.first, pair_.first_at, pair.first, normal) -
-           reach(pair_.second, pair_.second_at, pair.second, -normal) - box_pad_;
+    return -support(pair_.first, pair_.first_at, pair.first, normal) -
+           support(pair_.second, pair_.second_at, pair.second, -normal) - box_pad_;
   }
 
-  /// Of a node's convex set along a direction, from the origin of the search.
-  static double reach(const BodyShape& shape, const Placement& at, std::uint32_t node,
-                      const Eigen::Vector3d& direction) {
+  /// The support of a node's convex set along a direction, from the origin of the search.
+  static double support(const BodyShape& shape, const Placement& at, std::uint32_t node,
+                        const Eigen::Vector3d& direction) {
     const Eigen::Vector3d d = at.toShape(direction);
     const double origin = at.translation.dot(direction);
     if (!shape.triangles) return origin + ShapeHull{shape}.farthest(d).dot(d);
     return origin + shape.triangles->nodes[node].farthest(d);
   }
 
-  /// Of a pair that cannot change the result, or that no steps are left for.
+  /// Gives up a pair that cannot change the result, or that no steps are left for.
   void drop(const NodePair& pair) {
     lower_ = std::min(lower_, pair.separation.lower);
     if (keeps_front_) front_.push_back(dropped(pair));

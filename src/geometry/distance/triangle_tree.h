@@ -15,8 +15,8 @@ struct TreeNode {
   /// Not aligned, as the other members leave no room for that.
   using Lanes = Eigen::Array<float, 4, 1, Eigen::DontAlign>;
 
-  /// Of the centre and the three edges. What is computed of all four at a time is dropped where it
-  /// has no meaning for the centre.
+  /// Coordinates of the centre (lane 0) and of the three edges. All four are computed at a time;
+  /// lane 0 is dropped where it has no meaning for the centre.
   Lanes x, y, z;
   std::uint32_t first;  ///< triangle; those of a node follow each other
   std::uint32_t count;  ///< of triangles
@@ -53,7 +53,7 @@ struct TreeNode {
     return center().cast<double>().dot(direction) + extent(direction);
   }
 
-  /// Of the longest edge.
+  /// The square of the longest edge [m^2].
   float squaredRadius() const { return ((x * x + y * y + z * z) * edgesOnly()).maxCoeff(); }
 
   static Eigen::Array4f edgesOnly() { return {0, 1, 1, 1}; }

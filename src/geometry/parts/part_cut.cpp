@@ -94,7 +94,7 @@ void extendByShape(const AxisSets& axis_sets, const Shape& shape,
   boxes.extend(low, high);
 }
 
-/// Of each node. Boxes of leaves are made from their items, the others from their children's.
+/// The volumes of each node: of leaves from their items, of others from their children's.
 std::vector<NodeVolumes> nodeVolumes(const PartTree& tree,
                                      const std::vector<DivisibleShape>& shapes,
                                      const Eigen::Affine3d& unit_from_link, WorkMeter& meter) {
@@ -152,7 +152,7 @@ Cuts cutsOf(double volume, const Cuts& left, const Cuts& right, std::size_t max_
   return cuts;
 }
 
-/// Of the subtree below each node.
+/// The cuts of the subtree below each node.
 std::vector<Cuts> allCuts(const std::vector<PartNode>& nodes,
                           const std::vector<NodeVolumes>& volumes, std::size_t max_parts) {
   std::vector<Cuts> cuts(nodes.size());

@@ -44,7 +44,7 @@ class LinkBoxes::PrefetchedLists {
       if (entry->table) link_bounds::findLists(*entry->table, entry->cells, entry->lists);
   }
 
-  /// Of the shape with this number in the batch; null if there are none.
+  /// The lists of the shape with this number in the batch; null if there are none.
   const ListsOfRows* at(std::size_t shape) const {
     return shape < count_ && entries_[shape].table ? &entries_[shape].lists : nullptr;
   }

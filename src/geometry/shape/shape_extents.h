@@ -15,7 +15,7 @@ namespace link_bounds {
 struct ShapeExtents {
   explicit ShapeExtents(const Shape& shape);
 
-  /// Of world_from_shape; NaN where the extents are not known.
+  /// The linear part of world_from_shape; NaN where the extents are not known.
   Eigen::Matrix3d linear = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
   Extents extents;               ///< without translation [m]; rounded outward
   double pad_per_entry;          ///< against rounding, for an entry of 1 in the linear part [m]

@@ -28,7 +28,7 @@ constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pad
 
 constexpr double kTurnPad =
     256 * kUnitRoundoff;  ///< of the magnitude; turning there and back rounds
-/// Of size and magnitude; two quaternions and a sum round by half of it.
+/// Relative pad of size and magnitude; two quaternions and a sum round by half of it.
 constexpr double kPlacedPad = 64 * kUnitRoundoff;
 
 struct Candidate {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Logs.
 #include "node/inputs/incomplete_messages.h"
 
 #include <ros/console.h>

@@ -11,6 +11,7 @@
 #include "node/interface/topics.h"
 #include "world/log/log_text.h"
 #include "world/tf/edge_history.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -45,10 +46,10 @@ void JointStateReceiver::take(const Event& event) {
   const auto& message = *event.getConstMessage();
   if (!incomplete_messages_.accept(message, kJointStatesTopic.name, event.getPublisherName()))
     return;
-  const auto stamp = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  const auto stamp = nanosecondsOf(message.header.stamp);
   const ros::Time ros_now = ros::Time::now();
   if (clock_.isFromBeforeJump(message.header.stamp, ros_now, ros::SteadyTime::now())) return;
-  const auto now = static_cast<std::int64_t>(ros_now.toNSec());
+  const auto now = nanosecondsOf(ros_now);
   if (now > 0 && stamp - now > EdgeHistory::kLength) {
     const std::string line =
         ahead_log_.line("messages on " + std::string(kJointStatesTopic.name) + " from \"" +

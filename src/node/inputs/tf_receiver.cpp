@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One memory per topic.
 #include "node/inputs/tf_receiver.h"
 
 namespace link_bounds {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions of single values.
 #include "node/interface/parameter_reader.h"
 
 #include <cstdlib>

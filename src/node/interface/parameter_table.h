@@ -167,9 +167,10 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
         "\"a b\": links or objects NS/ID that are never a pair, in any topic or answer; * in a "
         "name is any text without a slash, as in NS/*: all objects of a namespace");
-  visit("attached", p.attached, rules::attached,
-        "objects NS/ID or NS/* that are part of that link's rigid body in every pair of ~overlaps "
-        "and ~distances, as a tool would be");
+  visit(
+      "attached", p.attached, rules::attached,
+      "objects NS/ID or NS/* that are part of that link's rigid body, as a tool would be, in every "
+      "pair, in any topic or answer");
   visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
         "links with this many movable joints between them, or fewer, are never a pair, in "
         "any topic or answer; >= 0");

@@ -44,7 +44,7 @@ void StoppingOutput::post() {
   worker_.post("boxes", [this] { publish(); });
 }
 
-/// Without a robot there is nothing that stops.
+/// Publishes nothing where there is no copy of the scene, as without a robot.
 void StoppingOutput::publish() {
   const auto copy = scenes_.copy(worker_);
   if (!copy) return;

@@ -11,6 +11,7 @@
 #include "world/history/past_boxes.h"
 #include "world/log/log_text.h"
 #include "world/model/model.h"
+#include "world/tf/nanoseconds.h"
 #include "world/tf/tf_message.h"
 
 namespace link_bounds {
@@ -40,7 +41,7 @@ BoxRequest toRequest(GetBoxes::Request& message) {
   if (!isTime(message.stamp))
     throw std::runtime_error("stamp is no time that tf can handle; 0 asks for the latest boxes");
   BoxRequest request;
-  request.stamp = static_cast<std::int64_t>(message.stamp.toNSec());
+  request.stamp = nanosecondsOf(message.stamp);
   request.span = message.span.toNSec();
   request.frame = tfName("", message.frame);
   request.names = std::move(message.names);

@@ -16,9 +16,9 @@ TimedQueue::Backlog TimedQueue::backlog() const {
   return {entries_.size(), std::chrono::nanoseconds(oldest.toNSec())};
 }
 
-std::size_t TimedQueue::takeMostWaiting() {
+std::size_t TimedQueue::takeMaxWaiting() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(most_waiting_, entries_.size());
+  return std::exchange(max_waiting_, entries_.size());
 }
 
 void TimedQueue::wait(std::chrono::nanoseconds longest) {
@@ -60,7 +60,7 @@ void TimedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uin
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     entries_.push_back({callback, owner, ros::SteadyTime::now()});
-    most_waiting_ = std::max(most_waiting_, entries_.size() + (is_calling_ ? 1 : 0));
+    max_waiting_ = std::max(max_waiting_, entries_.size() + (is_calling_ ? 1 : 0));
   }
   arrival_.notify_one();
 }

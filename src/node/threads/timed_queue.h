@@ -27,7 +27,7 @@ class TimedQueue : public ros::CallbackQueueInterface {
   Backlog backlog() const;
 
   /// The most callbacks that waited or ran at once since the last call.
-  std::size_t takeMostWaiting();
+  std::size_t takeMaxWaiting();
 
   /// Returns when a callback waits, or after that time.
   void wait(std::chrono::nanoseconds longest);
@@ -57,7 +57,7 @@ class TimedQueue : public ros::CallbackQueueInterface {
   std::condition_variable arrival_;
   std::condition_variable rest_;  ///< a callback has returned
   std::deque<Entry> entries_;
-  std::size_t most_waiting_ = 0;
+  std::size_t max_waiting_ = 0;
   bool is_calling_ = false;
   std::uint64_t caller_ = 0;  ///< owner of the callback that runs
   std::thread::id thread_;    ///< that runs it

@@ -229,7 +229,7 @@ void assess(const Scene& scene, const Health& health, std::uint64_t last_errors,
   warnOfBehind(health.behind, status);
   if (health.skipped > 0)
     raise(status, DiagnosticStatus::WARN, "tf comes faster than it can be read");
-  if (health.most_waiting >= TfReceiver::kQueue)
+  if (health.max_waiting >= TfReceiver::kQueue)
     raise(status, DiagnosticStatus::WARN,
           "messages of /tf, ~objects or ~neighbours may have been dropped");
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
@@ -264,7 +264,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "updates per second", std::to_string(updates / seconds));
   add(status, "updates joined, last second", std::to_string(health.joined));
   add(status, "tf messages skipped, last second", std::to_string(health.skipped));
-  add(status, "most messages that waited, last second", std::to_string(health.most_waiting));
+  add(status, "most messages that waited, last second", std::to_string(health.max_waiting));
   add(status, "longest delay of a message in the node [ms]", std::to_string(health.delay_ms));
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");

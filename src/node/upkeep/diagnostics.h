@@ -30,7 +30,7 @@ struct Health {
   std::size_t joined = 0;          ///< messages that shared an update with a later one, since the
                                    ///< last status
   std::size_t skipped = 0;         ///< messages of /tf that were not read, since the last status
-  std::size_t most_waiting = 0;    ///< messages and other events at once, since the last status
+  std::size_t max_waiting = 0;     ///< messages and other events at once, since the last status
   std::optional<double> lag_ms;    ///< by how much a new stamp of a ~boxes lay behind ROS time when
                                    ///< it was published, or that of a transform when it came; the
                                    ///< maximum since the last status

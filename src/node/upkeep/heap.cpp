@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Two calls of glibc.
 #include "node/upkeep/heap.h"
 
 #include <malloc.h>

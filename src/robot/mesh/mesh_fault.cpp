@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One remedy per cause.
 #include "link_bounds/robot/mesh/mesh_fault.h"
 
 namespace link_bounds {

@@ -40,7 +40,7 @@ std::vector<Eigen::Vector3d> cornersOf(Solid solid, const Eigen::Vector3d& size)
   return corners;
 }
 
-/// Of the ball around each point.
+/// The radius of the ball around each point [m]; 0 except for ellipsoids.
 double swellOf(const Shape& shape) {
   if (shape.solid != Solid::kEllipsoid) return 0;
   const Eigen::Matrix3d map = shape.link_from_shape.linear() * shape.size.asDiagonal();

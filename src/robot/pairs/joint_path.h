@@ -77,7 +77,7 @@ JointBox wholeBox(const JointPath& path);
 /// The half with smaller values of the variable, and the other one.
 std::array<JointBox, 2> halves(const JointBox& box, std::size_t variable);
 
-/// Of the whole box.
+/// The volume of `box` as a share of the whole box of the path, from 0 to 1.
 double shareOf(const JointBox& box, const JointPath& path);
 
 }  // namespace link_bounds

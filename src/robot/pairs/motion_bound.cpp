@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of a joint value: halving a range some 60 times rounds the centres of the halves so much.
+/// Relative rounding of a joint value: that of the centres after some 60 halvings of a range.
 constexpr double kHalvings = 1e-14;
 
 /// More joints on one side have too many corners.
@@ -22,7 +22,7 @@ constexpr std::size_t kMaxCornerJoints = 6;
 #endif
 constexpr double kShare = LINK_BOUNDS_SHARE_OF_MOTION;
 
-/// Of a point at distance 1 from the axis.
+/// How far a point at distance 1 from the axis moves during a turn by `half_width` [rad].
 double chordOfTurn(double half_width) {
   return 2 * std::sin(std::min(half_width, M_PI) / 2);
 }

@@ -31,10 +31,10 @@ void addCore(const BodyShape& body_shape, std::vector<SolidCore>& cores) {
 }
 
 std::optional<BodyDistance> within(const Body& first, const Body& second,
-                                   const Eigen::Affine3d& first_from_second, double reach) {
-  if (!(reach > 0)) return {};
+                                   const Eigen::Affine3d& first_from_second, double max_distance) {
+  if (!(max_distance > 0)) return {};
   const auto distance = bodyDistance(first, Eigen::Affine3d::Identity(), second, first_from_second);
-  return distance && distance->upper <= reach ? distance : std::nullopt;
+  return distance && distance->upper <= max_distance ? distance : std::nullopt;
 }
 
 }  // namespace
@@ -58,13 +58,14 @@ std::vector<const PairHull*> partsOf(const PairBody& body) {
 }
 
 std::optional<BodyDistance> coreContact(const PairBody& first, const PairBody& second,
-                                        const Eigen::Affine3d& first_from_second, double reach) {
+                                        const Eigen::Affine3d& first_from_second,
+                                        double max_distance) {
   for (const SolidCore& core : first.cores) {
-    const auto found = within(core.body, *second.body, first_from_second, reach + core.skin);
+    const auto found = within(core.body, *second.body, first_from_second, max_distance + core.skin);
     if (found) return found;
   }
   for (const SolidCore& core : second.cores) {
-    const auto found = within(*first.body, core.body, first_from_second, reach + core.skin);
+    const auto found = within(*first.body, core.body, first_from_second, max_distance + core.skin);
     if (found) return found;
   }
   return {};

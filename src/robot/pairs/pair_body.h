@@ -37,9 +37,10 @@ PairBody pairBody(const Body& body);
 /// The hull of each shape, or that of all.
 std::vector<const PairHull*> partsOf(const PairBody& body);
 
-/// A point of the core of one body that is within `reach` [m] and the skin of that core of a point
-/// of the other body. In the frame of the first one; nothing if there are no two such points.
+/// A point of the core of one body that is within `max_distance` [m] and the skin of that core of a
+/// point of the other body. In the frame of the first one; nothing if there are no two such points.
 std::optional<BodyDistance> coreContact(const PairBody& first, const PairBody& second,
-                                        const Eigen::Affine3d& first_from_second, double reach);
+                                        const Eigen::Affine3d& first_from_second,
+                                        double max_distance);
 
 }  // namespace link_bounds

@@ -111,15 +111,17 @@ bool PairCertificate::writeGap(std::ostream& out) {
   return true;
 }
 
-/// Two points that stay that near to each other. Others bound their motion with other rounding.
+/// Writes two points that stay within the claimed distance. The margin is for checkers, which bound
+/// the motion with other rounding.
 bool PairCertificate::writeContact(std::ostream& out) {
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
-  const double reach = claim_.distance - motion_.motion() * (1 + kMargin) - 2 * motion_.rounding();
+  const double max_distance =
+      claim_.distance - motion_.motion() * (1 + kMargin) - 2 * motion_.rounding();
   distances_.move(1, first_from_second);
   distances_.setGoal({kFinestDistance, kNoLimit, PairGoal::kMaxTreeSteps});
   auto found = distances_.find(0, 1);
-  if (!found || found->upper > reach)
-    found = coreContact(first_, second_, first_from_second, reach);
+  if (!found || found->upper > max_distance)
+    found = coreContact(first_, second_, first_from_second, max_distance);
   if (!found) return false;
   const Eigen::Vector3d& a = found->on_first;
   const Eigen::Vector3d b = placed_.first_from_second.inverse() * found->on_second;
@@ -171,7 +173,7 @@ Eigen::Vector3d PairCertificate::directionOf(const PairHull& first, const PairHu
   return distance ? distance->normal : Eigen::Vector3d::Zero();
 }
 
-/// Of distances in the box.
+/// The accuracy of distances in the box [m].
 double PairCertificate::accuracy() const {
   return std::max(kFinestDistance, PairGoal::kShareOfMotion * motion_.motion());
 }

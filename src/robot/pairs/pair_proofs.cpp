@@ -69,7 +69,7 @@ class LinkNeighbours {
   std::vector<bool> has_geometry_;         ///< of each link of the robot
 };
 
-/// What is listed.
+/// The pairs that the report lists. Those of joined links are kAdjacent; the others are open.
 std::vector<PairProof> chosenPairs(const Robot& robot, const BoundedRobot& bounded,
                                    PairChoice choice) {
   const LinkNeighbours neighbours(robot, bounded);

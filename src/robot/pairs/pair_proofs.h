@@ -59,7 +59,8 @@ struct ProofControl {
   /// may be null.
   std::function<void(std::size_t, std::size_t)> progress = {};
   unsigned threads = 0;  ///< 0: one per core
-  /// Of searches between two turns: twenty that have filled their memory, or a thousand others.
+  /// Max memory of all searches that wait for their next turn: twenty full ones, or a thousand
+  /// typical ones.
   std::size_t max_kept_bytes = 100'000'000;
 };
 

@@ -31,7 +31,7 @@ constexpr std::size_t kSweepShare = 4;
 /// With other values of the joint that was left out.
 constexpr int kHintedPoses = 30;
 
-/// Of a search for a proof that every pose collides, or that every pose touches.
+/// Max steps of a search for a proof that every pose collides, or that every pose touches.
 constexpr int kMaxOpenSteps = 20000;
 
 /// A proof that every pose touches is given up after so many if it would take more than all.
@@ -41,13 +41,13 @@ constexpr int kTrialSteps = 500;
 constexpr std::size_t kMaxNodes = 20000;
 constexpr std::size_t kMaxNodeBytes = 16'000'000;
 
-/// Of a search without nodes and samples: the memories of two BodyDistances and the rest.
+/// Memory of a search without nodes and samples: two BodyDistances and the rest.
 constexpr std::size_t kBytes = 50'000;
 
 /// A pose that is nearer by so much is the start of another descent.
 constexpr double kNews = 0.95;
 
-/// Of the range of a joint.
+/// First and last step of a descent, as shares of the range of a joint.
 constexpr double kFirstStep = 0.1;
 constexpr double kLastStep = 1e-9;
 
@@ -288,7 +288,7 @@ void PairSearch::branch() {
   }
 }
 
-/// Of the box that bound() was last asked about.
+/// The box of `node` must be the one that bound() was last called for.
 void PairSearch::addHalves(Node node) {
   for (JointBox& half : halves(node.box, pair_.widestVariable()))
     add({node.lower, std::move(half)});
@@ -379,8 +379,8 @@ void PairSearch::endContact(bool is_proven) {
   beginContact();
 }
 
-/// Proven: the two stay within the reach, or a point of one body stays in the skin around the core
-/// of the other one.
+/// Proven: the two stay within `max_distance`, or a point of one body stays in the skin around the
+/// core of the other one.
 bool PairSearch::isContactIn(const JointBox& box) {
   pair_.enter(box);
   const double motion = pair_.motion();
@@ -388,9 +388,11 @@ bool PairSearch::isContactIn(const JointBox& box) {
   offer(pose);
   const bool is_always = aim_ == Contact::kColliding;
   if (is_always && path().variables.empty()) return isTouch(pose.upper);
-  const double reach = is_always ? goal_.clearance : std::max(goal_.clearance, goal_.touching);
-  if (pose.upper + motion <= reach) return true;
-  return coreContact(pair_.first(), pair_.second(), pair_.pose(), reach - motion).has_value();
+  const double max_distance =
+      is_always ? goal_.clearance : std::max(goal_.clearance, goal_.touching);
+  if (pose.upper + motion <= max_distance) return true;
+  return coreContact(pair_.first(), pair_.second(), pair_.pose(), max_distance - motion)
+      .has_value();
 }
 
 }  // namespace link_bounds

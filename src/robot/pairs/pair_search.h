@@ -51,9 +51,9 @@ class PairSearch {
   bool alwaysTouches() const { return contact_ != Contact::kNone; }
   /// A pose was found that does not collide.
   bool hasFreePose() const { return was_free_; }
-  /// As many poses were tried as chance shall offer, or the only one.
+  /// All random poses were tried, or the only pose that there is.
   bool isSampled() const;
-  /// The same, and the distance was minimised from the nearest of them.
+  /// isSampled(), and descents from the nearest of these poses have ended.
   bool isExplored() const { return isSampled() && starts_.empty(); }
   std::size_t poses() const { return poses_; }  ///< that were tried
 

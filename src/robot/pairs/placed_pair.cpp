@@ -3,8 +3,11 @@
 #include "robot/pairs/placed_pair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
+
+#include "link_bounds/geometry/box/length.h"
 
 namespace link_bounds {
 
@@ -35,7 +38,9 @@ void PlacedPair::enter(const JointBox& box) {
 double PlacedPair::ballGap() const {
   const BodyCloud& a = first().hull.cloud;
   const BodyCloud& b = second().hull.cloud;
-  return (placed_.first_from_second * b.center() - a.center()).norm() - a.radius() - b.radius();
+  const Eigen::Vector3d between = placed_.first_from_second * b.center() - a.center();
+  const double gap = length(between.x(), between.y(), between.z()) - a.radius() - b.radius();
+  return std::isfinite(gap) ? gap : 0;  // beyond the largest number nothing is proven
 }
 
 std::optional<BodyDistance> PlacedPair::distance(const DistanceGoal& goal) {

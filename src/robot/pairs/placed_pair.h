@@ -54,7 +54,7 @@ class PlacedPair {
   /// At the centre of the box. Bounds are of the whole box.
   void enter(const JointBox& box);
 
-  /// Of the second body in the frame of the first one.
+  /// The pose of the second body in the frame of the first one.
   Eigen::Affine3d pose() const { return Eigen::Affine3d(placed_.first_from_second); }
   /// How far balls around the bodies are apart where they are placed, without rounding [m].
   double ballGap() const;

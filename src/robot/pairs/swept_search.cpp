@@ -119,7 +119,7 @@ class Sweep {
   Body body_;
 };
 
-/// Of the distance at which a pose was found: a sweep that leaves less is not worth it.
+/// A sweep must leave this share of what the nearest pose has above the wanted clearance.
 constexpr double kLeft = 0.5;
 
 /// Drops variables that no joint has.

@@ -18,7 +18,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of one segment: a search that takes longer ends undecided.
+/// Max steps for one segment: a search that takes more ends undecided.
 constexpr std::size_t kMaxSteps = 200'000;
 
 /// Beyond any robot [m].

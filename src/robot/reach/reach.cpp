@@ -44,7 +44,7 @@ std::vector<double> frameDistances(const Robot& robot, const std::vector<JointRa
   return distances;
 }
 
-/// Of joints that follow no other one, the values nearest to 0, where these are not 0.
+/// The values nearest to 0 of the joints that follow no other one; those that are 0 are left out.
 std::map<std::string, double> nearestToZero(const Robot& robot,
                                             const std::vector<JointRange>& ranges) {
   std::map<std::string, double> values;

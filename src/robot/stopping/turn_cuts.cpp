@@ -11,7 +11,7 @@ namespace {
 constexpr double kMaxHalfPiece = 1.2;
 
 /// Cuts that gain less are not worth their time [m].
-constexpr double kLeastGain = 5e-4;
+constexpr double kMinCutGain = 5e-4;
 
 /// How often the link is asked for a box. With 16, half of the faces of a Gen3 are at most 0.6 mm +
 /// 10 % of their way too far out; with 40 and turns that only padded, it was 6 mm.
@@ -61,7 +61,7 @@ void chooseCuts(std::vector<MovingStep>& steps, const std::vector<SweptBall>& ba
       const double gain =
           lossOf(steps[i], balls[i + 1], cuts[i]) - lossOf(steps[i], balls[i + 1], next);
       const double rate = gain / std::log(static_cast<double>(next) / static_cast<double>(cuts[i]));
-      if (gain < kLeastGain || rate <= best_rate) continue;
+      if (gain < kMinCutGain || rate <= best_rate) continue;
       best = i;
       best_rate = rate;
     }

@@ -7,6 +7,8 @@
 #include <locale>
 #include <sstream>
 
+#include "text/joined.h"
+
 namespace link_bounds {
 
 bool isBeyond(const Limits& limits, double value) {
@@ -32,14 +34,15 @@ std::string beyondLimits(const Robot& robot, const GivenRanges& given) {
 }
 
 std::string equalLimits(const Robot& robot, const GivenRanges& given) {
-  std::string names;
+  std::vector<std::string> names;
   for (const Joint& joint : robot.joints) {
     const bool is_still = joint.limits && joint.limits->lower == joint.limits->upper;
     if (!is_still || joint.mimic || given.count(joint.name)) continue;
-    names += (names.empty() ? "\"" : ", \"") + joint.name + "\"";
+    names.push_back(joint.name);
   }
   if (names.empty()) return "";
-  return "the lower limit is equal to the upper one, so these joints stay there: " + names;
+  return "the lower limit is equal to the upper one, so these joints stay there: " +
+         quotedList(names);
 }
 
 }  // namespace link_bounds

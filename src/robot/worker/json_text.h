@@ -13,7 +13,7 @@ namespace link_bounds {
 /// A value.
 struct Json {
   std::string text;  ///< of a string, a number or a word
-  /// Of an object by name, of an array by "0", "1" and so on.
+  /// Members of an object by name, elements of an array by "0", "1" and so on.
   std::vector<std::pair<std::string, Json>> members;
 
   /// An empty one if there is none.

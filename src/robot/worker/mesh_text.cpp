@@ -24,10 +24,6 @@ bool isLineEnd(char c) {
   return c == '\n' || c == '\r';
 }
 
-std::string inQuotes(std::string_view word) {
-  return "\"" + std::string(word.substr(0, kMaxShown)) + "\"";
-}
-
 }  // namespace
 
 Lines::Lines(ConfinedFiles& files, const std::string& path)
@@ -35,8 +31,8 @@ Lines::Lines(ConfinedFiles& files, const std::string& path)
   if (!file_) throw MeshError("it cannot be opened", MeshFault::kUnreadable);
 }
 
-std::optional<std::string_view> Lines::next(std::size_t most) {
-  while (take(most)) {
+std::optional<std::string_view> Lines::next(std::size_t max_size) {
+  while (take(max_size)) {
     if (keeps_blank_ || hasContent()) return line_;
   }
   return std::nullopt;
@@ -66,14 +62,14 @@ std::string Lines::all() {
 }
 
 /// Into line_. False at the end.
-bool Lines::take(std::size_t most) {
+bool Lines::take(std::size_t max_size) {
   line_.clear();
   skipEndOfCrLf();
   bool is_any = false;
   while (read()) {
     is_any = true;
     const char* const begin = buffer_.data() + next_;
-    const char* const last = begin + std::min(end_ - next_, most - line_.size());
+    const char* const last = begin + std::min(end_ - next_, max_size - line_.size());
     const char* const end = std::find_if(begin, last, isLineEnd);
     line_.append(begin, end);
     next_ += static_cast<std::size_t>(end - begin);
@@ -82,7 +78,7 @@ bool Lines::take(std::size_t most) {
       ++next_;
       break;
     }
-    if (line_.size() == most) break;
+    if (line_.size() == max_size) break;
   }
   if (is_any) ++number_;
   return is_any;
@@ -161,6 +157,12 @@ bool isIndex(std::string_view word) {
 
 std::size_t countOf(std::string_view word) {
   return std::strtoull(std::string(word).c_str(), nullptr, 10);
+}
+
+std::string inQuotes(std::string_view word) {
+  std::string shown(word.substr(0, kMaxShown));
+  std::replace(shown.begin(), shown.end(), '\0', '?');  // what() ends there
+  return "\"" + shown + "\"";
 }
 
 void requireNumber(std::string_view word, const std::string& place) {

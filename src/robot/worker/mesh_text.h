@@ -14,7 +14,7 @@
 
 namespace link_bounds {
 
-/// Of a file, without those that are blank.
+/// The lines of a file, without blank ones.
 class Lines {
  public:
   /// Throws MeshError if the file cannot be opened.
@@ -23,15 +23,15 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  /// These are lines that begin with it.
+  /// Lines that begin with `begin` are comments and are left out.
   void skipComments(char begin) { comment_ = begin; }
   void keepBlankLines() { keeps_blank_ = true; }
 
-  /// At most `most` bytes of it, the rest of which is the next line. Nothing at the end. It is
+  /// At most `max_size` bytes of it, the rest of which is the next line. Nothing at the end. It is
   /// valid until the next call.
-  std::optional<std::string_view> next(std::size_t most = SIZE_MAX);
+  std::optional<std::string_view> next(std::size_t max_size = SIZE_MAX);
 
-  /// "line 1" is the first of the file; of what next() has returned.
+  /// Where the line is that next() has returned: "line 1" is the first of the file.
   std::string place() const { return "line " + std::to_string(number_); }
 
   std::size_t fileSize() const { return file_->FileSize(); }
@@ -49,7 +49,7 @@ class Lines {
   std::string all();
 
  private:
-  bool take(std::size_t most);
+  bool take(std::size_t max_size);
   bool hasContent() const;
   bool read();
   void skipEndOfCrLf();
@@ -65,7 +65,7 @@ class Lines {
   char comment_ = '\n';  // none
 };
 
-/// Of a line or text.
+/// The words of a line or text.
 class Words {
  public:
   explicit Words(std::string_view text) : rest_(text) {}
@@ -93,6 +93,9 @@ std::size_t countOf(std::string_view word);
 /// Throw MeshError if it is none.
 void requireNumber(std::string_view word, const std::string& place);
 void requireIndex(std::string_view word, const std::string& place);
+
+/// For a message: the beginning of a long one.
+std::string inQuotes(std::string_view word);
 
 std::string inSmallLetters(std::string text);
 

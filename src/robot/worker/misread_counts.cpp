@@ -69,6 +69,9 @@ class Line {
   }
   void index() { requireIndex(next(), place_); }
   std::size_t length(bool is_float) { return lengthOf(next(), is_float, place_); }
+  void end() {
+    if (!words_.next().empty()) throw MeshError("it has too many numbers in " + place_);
+  }
   void allNumbers() { words_.countNumbers(place_, '#'); }
   const std::string& place() const { return place_; }
 
@@ -102,6 +105,7 @@ void checkText(Lines& lines, const Elements& elements) {
       for (; count > 0; --count)
         line.number();
     }
+    line.end();
   });
 }
 
@@ -163,6 +167,8 @@ void checkBinary(Data& data, const Elements& elements) {
   }
 }
 
+constexpr std::array kPlyWords{"format", "comment", "obj_info", "element", "property"};
+
 struct PlyHeader {
   std::string format;
   std::vector<Elements> elements;
@@ -182,6 +188,9 @@ PlyHeader readPlyHeader(Lines& lines) {
         throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
       header.elements.push_back({first, countOf(second), {}});
     }
+    if (inSmallLetters(keyword) == "ply") continue;
+    if (std::find(kPlyWords.begin(), kPlyWords.end(), keyword) == kPlyWords.end())
+      throw MeshError(inQuotes(keyword) + " is no word of its header");
     if (keyword != "property" || header.elements.empty()) continue;
     Property property;
     property.is_list = first == "list";
@@ -192,10 +201,23 @@ PlyHeader readPlyHeader(Lines& lines) {
   }
 }
 
+/// Assimp takes 0 for one that is missing.
+void checkCoordinates(const PlyHeader& header) {
+  for (const Elements& elements : header.elements) {
+    const auto& properties = elements.properties;
+    for (const char* const name : {"x", "y", "z"}) {
+      const auto is_it = [&](const Property& property) { return property.name == name; };
+      if (elements.name == "vertex" && std::none_of(properties.begin(), properties.end(), is_it))
+        throw MeshError(std::string("its vertices have no property ") + name);
+    }
+  }
+}
+
 }  // namespace
 
 void checkPly(Lines& lines) {
   const PlyHeader header = readPlyHeader(lines);
+  checkCoordinates(header);
   if (header.format == "ascii") {
     for (const Elements& each : header.elements)
       checkText(lines, each);

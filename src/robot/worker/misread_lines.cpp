@@ -44,6 +44,31 @@ std::size_t countObjNumbers(std::string_view text, const std::string& place) {
   return count;
 }
 
+/// The first words that the format has, and "fo", an old face. Assimp leaves out other lines.
+constexpr std::array kObjWords{
+    "v",        "vt",       "vn",   "vp",         "p",         "l",     "f",     "fo",     "g",
+    "s",        "mg",       "o",    "usemtl",     "mtllib",    "bevel", "lod",   "curv",   "curv2",
+    "c_interp", "d_interp", "surf", "shadow_obj", "trace_obj", "ctech", "stech", "cstype", "deg",
+    "bmat",     "step",     "parm", "trim",       "hole",      "scrv",  "sp",    "end",    "con",
+    "maplib",   "usemap",   "call", "csh",        "bsp",       "bzp",   "cdc",   "cdp",    "res"};
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+void checkObjWord(std::string_view word, const std::string& place) {
+  if (word.empty() || word[0] == '#' || startsWith(word, std::string(kByteOrderMark) + '#')) return;
+  if (std::find(kObjWords.begin(), kObjWords.end(), word) == kObjWords.end())
+    throw MeshError(inQuotes(word) + " is no word of OBJ, in " + place);
+}
+
+/// Assimp leaves out a corner that it cannot read, and takes +1 for two corners.
+void checkObjCorners(std::string_view text, const std::string& place) {
+  Words words(text);
+  for (auto word = words.next(); !word.empty() && word[0] != '#'; word = words.next()) {
+    if (word[0] == '/' || word.find_first_not_of("0123456789-/") != word.npos)
+      throw MeshError(inQuotes(word) + " is no corner, in " + place);
+  }
+}
+
 }  // namespace
 
 /// By words, which may stand in any line.
@@ -64,7 +89,7 @@ void checkStl(Lines& lines) {
 
 void checkObj(Lines& lines) {
   lines.keepBlankLines();
-  bool goes_on = false, is_data = false, is_vertex = false;
+  bool goes_on = false, is_data = false, is_vertex = false, is_face = false;
   std::size_t count = 0;
   while (const auto found = lines.next()) {
     std::string_view line = *found;
@@ -80,11 +105,15 @@ void checkObj(Lines& lines) {
     if (is_geometry && is_first && (line[0] == ' ' || line[0] == '\t'))
       throw MeshError("assimp leaves out " + lines.place() +
                       ", because it begins with a blank; remove that");
+    if (line.find('\0') != line.npos) throw MeshError("a byte 0 is in " + lines.place());
     if (is_first) {
+      checkObjWord(first, lines.place());
       is_data = !line.empty() && std::strchr("vflp", line[0]) != nullptr;
       is_vertex = first == "v";
+      is_face = first == "f";
       count = 0;
     }
+    if (is_face) checkObjCorners(is_first ? line.substr(1) : line, lines.place());
     if (!is_vertex) continue;
     count += countObjNumbers(is_first ? line.substr(1) : line, lines.place());
     const auto& counts = kNumbersOfObjVertex;

@@ -30,9 +30,9 @@ constexpr std::array<const char*, 11> kHarmless{
 /// The componentType of a glTF that assimp reads as a position.
 constexpr char kFloat[] = "5126";
 
-/// Elements of Collada that hold numbers.
-constexpr std::array<const char*, 6> kElementsOfNumbers{"float_array", "matrix", "translate",
-                                                        "rotate",      "scale",  "lookat"};
+/// Elements of Collada that hold numbers, and how many; assimp leaves out what follows.
+constexpr std::pair<std::string_view, std::size_t> kElementsOfNumbers[] = {
+    {"matrix", 16}, {"translate", 3}, {"rotate", 4}, {"scale", 3}, {"lookat", 9}};
 
 /// Assimp reads what is behind an array where an accessor reaches beyond it, and takes the index -1
 /// for 0.
@@ -65,9 +65,10 @@ class ColladaCheck {
   }
 
   void noteArray(const XmlTags& tags) {
+    array_size_ = numberOf(tags, "count", 0);
     const auto id = tags.attribute("id");
     if (!id) return;
-    const double size = numberOf(tags, "count", 0);
+    const double size = array_size_;
     const auto [entry, is_new] = sizes_.try_emplace(std::string(*id), size);
     if (!is_new) entry->second = std::min(entry->second, size);
   }
@@ -82,14 +83,22 @@ class ColladaCheck {
     ends_.emplace_back(source->substr(source->find('#') + 1), begin);
   }
 
-  static void checkText(const XmlTags& tags) {
-    const auto& names = kElementsOfNumbers;
-    const bool has_numbers = std::find(names.begin(), names.end(), tags.name()) != names.end();
-    if (!has_numbers && tags.name() != "p") return;
+  /// How many numbers an element holds; nothing for others.
+  std::optional<double> numbersOf(std::string_view element) const {
+    if (element == "float_array") return array_size_;
+    for (const auto& [name, count] : kElementsOfNumbers)
+      if (element == name) return static_cast<double>(count);
+    return std::nullopt;
+  }
+
+  void checkText(const XmlTags& tags) {
+    const std::optional<double> count = numbersOf(tags.name());
+    if (!count && tags.name() != "p") return;
     const std::string text = tags.text();
     Words words(text);
     const std::string place = "the <" + std::string(tags.name()) + "> of " + tags.place();
-    if (has_numbers) words.countNumbers(place);
+    if (count && static_cast<double>(words.countNumbers(place)) > *count)
+      throw MeshError("it has too many numbers in " + place);
     for (auto word = words.next(); !word.empty(); word = words.next())
       requireIndex(word, place);
   }
@@ -109,6 +118,7 @@ class ColladaCheck {
     return std::strtod(word.c_str(), nullptr);
   }
 
+  double array_size_ = 0;                             ///< of the last array
   std::map<std::string, double> sizes_;               ///< of arrays, by id; the smallest counts
   std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
   double params_ = 0;                                 ///< of the last accessor

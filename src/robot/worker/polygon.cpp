@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of all tries to cut an ear off one polygon, the corners that it then has. That takes seconds.
+/// Max work for one polygon, a few seconds: the sum of its corners over all tries to cut an ear.
 constexpr std::size_t kMaxLooks = 300'000'000;
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -28,7 +28,7 @@ double turn(const Corner& a, const Corner& b, const Corner& c) {
   return in.x() * out.y() - in.y() * out.x();
 }
 
-/// They turn to the left as a whole.
+/// The corners in 2D, without the axis nearest to the normal; the polygon then turns to the left.
 std::vector<Corner> flattened(const CornerIndices& corners,
                               const std::vector<Eigen::Vector3f>& vertices) {
   const auto at = [&](std::size_t i) -> Eigen::Vector3d {

@@ -16,7 +16,7 @@ constexpr std::string_view kCdata = "<![CDATA[";
 constexpr std::pair<std::string_view, char> kNames[] = {
     {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};
 
-/// Of a reference without its & and ;. 0 for what is no ASCII.
+/// The character of a reference, given without & and ;. 0 if it is not ASCII.
 char characterOf(const std::string& reference) {
   for (const auto& [name, character] : kNames)
     if (reference == name) return character;

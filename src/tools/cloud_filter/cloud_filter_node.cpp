@@ -133,9 +133,9 @@ void CloudFilterNode::spin() {
     next_status = time + kStatusPeriod;
     guarded([&] {
       tf_receiver_.freeSpareMemory();
-      const std::size_t most_waiting = queue_.takeMostWaiting();
+      const std::size_t max_waiting = queue_.takeMaxWaiting();
       health_.publish(robot_.get(), loading_->failure(), heldProblems(),
-                      clouds_.waiting.size() + scans_.waiting.size(), most_waiting);
+                      clouds_.waiting.size() + scans_.waiting.size(), max_waiting);
     });
   }
 }

@@ -65,7 +65,7 @@ class CloudFilterNode {
     const char* topic() const { return cloud ? kCloudTopic.name : kScanTopic.name; }
   };
 
-  /// Of one topic, the oldest first.
+  /// The messages of one topic that wait, the oldest first.
   struct Input {
     std::deque<Waiting> waiting;
     std::string waits_for = "";  ///< what of tf the first one lacked, or the last that was first

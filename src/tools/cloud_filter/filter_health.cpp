@@ -105,7 +105,7 @@ void FilterHealth::describe(DiagnosticStatus& status, double seconds) {
 
 void FilterHealth::publish(const FilteredRobot* robot, const std::string& failure,
                            const std::vector<std::string>& problems, std::size_t waiting,
-                           std::size_t most_waiting) {
+                           std::size_t max_waiting) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double seconds = std::max((now - last_status_).toSec(), 1e-3);
   last_status_ = now;
@@ -120,7 +120,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::string& failur
   add(status, "filtered", std::to_string(filtered_));
   add(status, "dropped", std::to_string(dropped_));
   add(status, "times that a queue of clouds was full", std::to_string(full_));
-  add(status, "most messages that waited, last second", std::to_string(most_waiting));
+  add(status, "most messages that waited, last second", std::to_string(max_waiting));
   add(status, "passed unfiltered", std::to_string(passed_));
   for (const auto& [reason, count] : recent_.unfiltered)
     add(status, "not filtered: " + reason, std::to_string(count));

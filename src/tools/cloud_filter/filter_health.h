@@ -52,11 +52,11 @@ class FilterHealth {
   /// objects are missing, or since the last status clouds were not filtered, late or lacked nearest
   /// points, or none was filtered. Else OK. `robot` may be null; if it cannot be loaded,
   /// `failure` says why. `problems` are those of held
-  /// objects; `waiting` messages wait. `most_waiting` callbacks waited at once since the last
+  /// objects; `waiting` messages wait. `max_waiting` callbacks waited at once since the last
   /// status.
   void publish(const FilteredRobot* robot, const std::string& failure,
                const std::vector<std::string>& problems, std::size_t waiting,
-               std::size_t most_waiting);
+               std::size_t max_waiting);
 
  private:
   using Reasons = std::map<std::string, std::size_t>;

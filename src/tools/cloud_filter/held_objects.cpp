@@ -45,7 +45,7 @@ Body bodyOf(const ObjectContent& content, const std::function<bool()>& is_cancel
   return objectBody(with_points, tree.triangles);
 }
 
-/// Of the work for an object.
+/// The key of the work for an object.
 std::string keyOf(const ObjectKey& key) {
   return "object " + objectName(key);
 }

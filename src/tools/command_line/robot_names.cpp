@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of links or joints.
+/// Throws UsageError for two links, or two joints, that have one name as UTF-8.
 template <class Parts>
 void checkNamesOf(const char* what, const Parts& parts) {
   std::set<std::string> names;

@@ -94,7 +94,7 @@ std::string jsonPose(const Pose& pose) {
   return "{" + joined(pose, ", ", to_json) + "}";
 }
 
-/// Of such a pose, as urdf_bounds takes them.
+/// The pose as arguments of urdf_bounds: JOINT:=VALUE, with spaces between.
 template <class Pose>
 std::string argumentsOf(const Pose& pose) {
   return joined(pose, " ", [](const auto& joint) {

@@ -55,12 +55,12 @@ class LiveObjects {
   const LiveObject* firstWithMesh(const std::string& uri) const;
   /// A neighbour's that is static falls silent, too, from now on. Its name stays then.
   bool endStatic(const ObjectKey& key, ros::Time now);
-  /// All objects of markers. Neighbours stay: they end with the messages of their sender.
+  /// Removes all objects of markers. Neighbours stay: they end with the messages of their sender.
   bool removeAll();
-  /// Of these, only those that this publisher was the last to send.
+  /// Removes the objects of markers that this publisher was the last to send.
   bool removeAllOf(const std::string& publisher);
 
-  /// The points of a mesh that objects wait for or have in another version, or why there are none.
+  /// Gives a mesh, or why there is none, to the objects that wait for it or have an older version.
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
   /// To be called after each update of the poses, and before any other function reads them.

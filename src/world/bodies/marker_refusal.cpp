@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of a marker before it is bounded.
+// Checks in the order in which a user mends them.
+#include "world/bodies/marker_refusal.h"
+
 #include <algorithm>
 #include <cmath>
 

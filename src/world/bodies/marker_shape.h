@@ -61,10 +61,6 @@ struct MarkerShape {
   Drawing drawing;
 };
 
-/// Why the marker cannot be bounded, in words with the remedy; "" if it can, or is to be ignored.
-/// Not for markers that delete.
-std::string whyMarkerRefused(const visualization_msgs::Marker& marker);
-
 /// False for text, which is ignored.
 bool hasShape(const visualization_msgs::Marker& marker);
 

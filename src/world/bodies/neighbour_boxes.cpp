@@ -9,6 +9,7 @@
 #include "world/bodies/number_limit.h"
 #include "world/model/model.h"
 #include "world/model/object_key.h"
+#include "world/tf/nanoseconds.h"
 #include "world/tf/tf_message.h"
 
 namespace link_bounds {
@@ -85,7 +86,7 @@ class Collector {
   void cover(const AxisAlignedBox& box, ObjectContent& content) {
     const Eigen::Vector3d min(box.min.x, box.min.y, box.min.z);
     const Eigen::Vector3d max(box.max.x, box.max.y, box.max.z);
-    const auto stamp = static_cast<std::int64_t>(box.stamp.toNSec());
+    const auto stamp = nanosecondsOf(box.stamp);
     const auto [entry, is_first] = corners_.try_emplace(&content, Corners{min, max});
     Corners& around = entry->second;
     around = {around.min.cwiseMin(min), around.max.cwiseMax(max)};

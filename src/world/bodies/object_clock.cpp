@@ -4,15 +4,13 @@
 
 #include <algorithm>
 
+#include "world/tf/nanoseconds.h"
+
 namespace link_bounds {
 namespace {
 
 /// Stamps that are less ahead of the clock [ns] come from clocks that differ a little.
 constexpr std::int64_t kFarAhead = 500'000'000;
-
-std::int64_t nanosecondsOf(ros::Time time) {
-  return static_cast<std::int64_t>(time.toNSec());
-}
 
 /// 0 if it is for ever.
 std::int64_t lifetime(const LiveObject& object) {

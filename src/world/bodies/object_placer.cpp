@@ -3,6 +3,8 @@
 // A placement is kept in the fixed frame of its time.
 #include "world/bodies/object_placer.h"
 
+#include "world/tf/nanoseconds.h"
+
 namespace link_bounds {
 namespace {
 
@@ -36,7 +38,7 @@ TransformProblem ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
     object.placement = ObjectPlacement{*frames_.fixedFrame(), *pose};
     return TransformProblem::kNone;
   }
-  const bool is_in_tf = static_cast<std::int64_t>(now.toNSec()) - stamp <= EdgeHistory::kLength;
+  const bool is_in_tf = nanosecondsOf(now) - stamp <= EdgeHistory::kLength;
   const bool may_come = !object.placement || (is_known && is_in_tf);
   if (may_come && !hasWaitedLong(object.waiting_since, now)) return TransformProblem::kWaiting;
   if (!object.placement) return TransformProblem::kGivenUp;
@@ -69,7 +71,7 @@ std::optional<Eigen::Affine3d> ObjectPlacer::poseAt(std::int64_t stamp, Frame fr
 
 bool ObjectPlacer::hasWaitedLong(std::int64_t since, ros::Time now) const {
   const double patience = frames_.timeout() > 0 ? frames_.timeout() : kUnknownTimeout;
-  const auto waited = static_cast<std::int64_t>(now.toNSec()) - since;
+  const auto waited = nanosecondsOf(now) - since;
   return static_cast<double>(waited) > patience * 1e9;
 }
 

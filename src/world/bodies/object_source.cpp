@@ -9,8 +9,10 @@
 #include <iomanip>
 #include <sstream>
 
+#include "world/bodies/marker_refusal.h"
 #include "world/bodies/marker_shape.h"
 #include "world/model/model.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -21,7 +23,7 @@ using visualization_msgs::Marker;
 constexpr std::size_t kMaxMeshes = 10000;
 
 std::int64_t placementStamp(const Marker& marker) {
-  return marker.frame_locked ? 0 : static_cast<std::int64_t>(marker.header.stamp.toNSec());
+  return marker.frame_locked ? 0 : nanosecondsOf(marker.header.stamp);
 }
 
 std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
@@ -29,7 +31,7 @@ std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
   text << "it is sent again and again, and its stamp is " << std::setprecision(3)
        << std::abs(object.ahead) << " s " << (object.ahead > 0 ? "ahead of" : "behind")
        << " the newest transform from \"" << object.object->content->frame
-       << "\"; synchronize the clocks of both publishers, or stamp 0 to follow that frame";
+       << "\"; synchronise the clocks of both publishers, or stamp 0 to follow that frame";
   return text.str();
 }
 

@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "world/tf/nanoseconds.h"
+
 namespace link_bounds {
 namespace {
 
@@ -197,7 +199,7 @@ std::int64_t CloudPoints::timeOf(const std::uint8_t* bytes) const {
 CloudLayout layoutOf(const PointCloud2& cloud) {
   CloudLayout result;
   CloudPoints& points = result.points;
-  points.stamp = static_cast<std::int64_t>(cloud.header.stamp.toNSec());
+  points.stamp = nanosecondsOf(cloud.header.stamp);
   if (cloud.width == 0 || cloud.height == 0) {
     points.height = 1;
     if (!cloud.data.empty())
@@ -235,7 +237,7 @@ std::string problemOf(const sensor_msgs::LaserScan& scan) {
 
 LaserPoints::LaserPoints(const sensor_msgs::LaserScan& scan) {
   points_.height = 1;
-  points_.stamp = static_cast<std::int64_t>(scan.header.stamp.toNSec());
+  points_.stamp = nanosecondsOf(scan.header.stamp);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   memory_.reserve(scan.ranges.size());
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {

@@ -82,7 +82,7 @@ class Runs {
   double range_ = 0;
 };
 
-/// Of one link.
+/// Finds the point that is nearest to one link.
 class Search {
  public:
   Search(const NearestQuery& query, const Runs& runs, const ScanPoses& poses, std::size_t link)

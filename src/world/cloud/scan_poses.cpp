@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of a scan; typical ones take 0.1 s.
+/// Max time between the points of a scan; typical scans take 0.1 s.
 constexpr std::int64_t kMaxSpan = 5000000000;  // ns
 
 /// A pose of 50 links takes some 20 us.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "text/joined.h"
 #include "world/history/pose_gap.h"
 #include "world/history/swept_box.h"
 
@@ -19,13 +20,11 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::hours kNoPause(1000);
 constexpr std::size_t kMaxListed = 10;  // names in a message, whose length is limited
 
-std::string quotedList(const std::vector<std::string>& names) {
-  std::string text;
-  const std::size_t listed = std::min(names.size(), kMaxListed);
-  for (std::size_t i = 0; i < listed; ++i)
-    text += (i == 0 ? "\"" : ", \"") + names[i] + "\"";
-  if (names.size() > listed) text += " and " + std::to_string(names.size() - listed) + " more";
-  return text;
+std::string shortList(std::vector<std::string> names) {
+  const std::size_t count = names.size();
+  names.resize(std::min(count, kMaxListed));
+  const std::size_t others = count - names.size();
+  return quotedList(names) + (others > 0 ? " and " + std::to_string(others) + " more" : "");
 }
 
 }  // namespace
@@ -138,7 +137,7 @@ std::string whyRefused(const PastScene& scene) {
            "\"";
   }
   if (scene.unknown_names.empty()) return "";
-  return "~boxes has no link and no object with the name " + quotedList(scene.unknown_names) +
+  return "~boxes has no link and no object with the name " + shortList(scene.unknown_names) +
          "; links without geometry, and those left out by links or ignore_links, have no box";
 }
 

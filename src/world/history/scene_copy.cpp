@@ -194,8 +194,8 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   past_->bodies.push_back(std::move(body));
 }
 
-/// Of another frame than the fixed one, with a box. One that is attached to a link goes with that
-/// if its frame stands.
+/// Whether it is a neighbour's box in another frame than the fixed one. One that is attached to a
+/// link moves with that link if its own frame rests.
 bool SceneCopy::isNeighbourElsewhere(const Scene& scene, const LiveObject& object) const {
   const ObjectContent& content = *object.content;
   if (!request_.neighbours_follow || !content.is_neighbour || content.stamp == 0 ||

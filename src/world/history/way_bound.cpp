@@ -136,7 +136,9 @@ double WayBound::of(Frame source, double radius, MotionSpan span) {
   const double start_way = (link.stretch + target.stretch) * start;
   const double distance = link.distance + link.scale * start + target.distance;
   const double way = link.shift + link.turn * start + link.scale * start_way + target.shift;
-  return height.turned_turn * distance + height.turned_scale * way + kWayRounding * distance;
+  const double all =
+      height.turned_turn * distance + height.turned_scale * way + kWayRounding * distance;
+  return all < kInfinite ? all : kInfinite;  // nor NaN, which an infinite length times 0 gives
 }
 
 /// The frames above the target come first: their nodes are where all ways end.

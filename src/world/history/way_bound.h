@@ -62,7 +62,7 @@ class WayBound {
  public:
   using Frame = TransformBuffer::Frame;
 
-  /// In that frame; `edges` and its tf must outlive this.
+  /// Bounds ways in the frame `target`. `edges` and its tf must outlive this.
   WayBound(EdgeWays& edges, Frame target) : edges_(edges), tf_(edges.tf()), target_(target) {}
 
   /// No point that is at most `radius` from the origin of `source` [m] has a longer way during the

@@ -11,6 +11,7 @@
 #include "packages/package_path.h"
 #include "robot/bounded_robot.h"
 #include "robot/urdf/trimmed.h"
+#include "text/joined.h"
 #include "world/model/object_key.h"
 #include "world/tf/edge_history.h"
 
@@ -68,16 +69,16 @@ std::vector<std::string> groupsWithLeftOut(const Parameters& parameters, const R
                                            const Selection& selection) {
   std::vector<std::string> warnings;
   for (const auto& [group, members] : parameters.groups) {
-    std::string names;
+    std::vector<std::string> names;
     for (const Link& link : robot.links) {
       const bool has_any =
           hasGeometry(link, Purpose::kVisual) || hasGeometry(link, Purpose::kCollision);
       const bool is_left_out = has_any && !isAsked(link, selection);
       if (is_left_out && std::count(members.begin(), members.end(), link.name) > 0)
-        names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+        names.push_back(link.name);
     }
     if (!names.empty())
-      warnings.push_back("box \"" + group + "\" of ~groups does not cover " + names +
+      warnings.push_back("box \"" + group + "\" of ~groups does not cover " + quotedList(names) +
                          ", with geometry of the other kind only; set ~geometry to both");
   }
   return warnings;
@@ -182,11 +183,49 @@ std::map<std::string, std::string> otherNames(const Parameters& parameters,
 /// Those that `is_it` is true of, in quotes, with commas.
 template <class IsIt>
 std::string namesThat(const std::vector<BoundedLink>& links, IsIt is_it) {
-  std::string names;
+  std::vector<std::string> names;
   for (const BoundedLink& link : links) {
-    if (is_it(link.name)) names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+    if (is_it(link.name)) names.push_back(link.name);
   }
-  return names;
+  return quotedList(names);
+}
+
+/// Warnings about links whose names are also those of objects or of neighbours' boxes.
+std::vector<std::string> nameWarnings(const std::vector<BoundedLink>& links) {
+  std::vector<std::string> warnings;
+  const std::string hidden = namesThat(links, isNeighbourName);
+  if (!hidden.empty())
+    warnings.push_back(
+        "other nodes leave out of ~neighbours what has the name of a "
+        "neighbour's box, with a slash at its begin and another one: " +
+        hidden + "; give these links other names");
+  const std::string ambiguous = namesThat(links, [](const std::string& name) {
+    return !isNeighbourName(name) && parseObjectName(name);
+  });
+  if (!ambiguous.empty())
+    warnings.push_back("links have names that markers may have, NS/ID: " + ambiguous +
+                       "; such a marker gets a second box of that name, so give these links "
+                       "other names");
+  return warnings;
+}
+
+/// Warnings about valid parameters that leave something without effect.
+std::vector<std::string> valueWarnings(const Parameters& parameters, bool has_no_link) {
+  std::vector<std::string> warnings;
+  if (has_no_link)
+    warnings.emplace_back(
+        "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "
+        "geometry; correct them");
+  if (parameters.distance_warning > parameters.distance_limit)
+    warnings.emplace_back(
+        "parameter ~distance_warning is larger than ~distance_limit, beyond which nothing is "
+        "measured; raise ~distance_limit");
+  constexpr double kHistory = static_cast<double>(EdgeHistory::kLength) / 1e9;
+  if (parameters.swept_span >= kHistory)
+    warnings.emplace_back(
+        "parameter ~swept_span is no shorter than the ten seconds that tf remembers, so ~swept has "
+        "no box of what moves; lower it");
+  return warnings;
 }
 
 }  // namespace
@@ -279,42 +318,11 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.left_out = leftOutNote(robot, selection);
   model.problems = std::move(bounded.problems);
   model.warnings = unknownLinks(parameters, names, otherNames(parameters, ignored_pairs, names));
-  const std::vector<std::string> unknown_joints = unknownJoints(parameters, robot);
-  model.warnings.insert(model.warnings.end(), unknown_joints.begin(), unknown_joints.end());
-  model.warnings.insert(model.warnings.end(), bounded.part_problems.begin(),
-                        bounded.part_problems.end());
-  const std::string hidden = namesThat(model.links, isNeighbourName);
-  if (!hidden.empty())
-    model.warnings.push_back(
-        "other nodes leave out of ~neighbours what has the name of a "
-        "neighbour's box, with a slash at its begin and another one: " +
-        hidden + "; give these links other names");
-  const std::vector<std::string> lacking = groupsWithLeftOut(parameters, robot, selection);
-  model.warnings.insert(model.warnings.end(), lacking.begin(), lacking.end());
-  const std::string ambiguous = namesThat(model.links, [](const std::string& name) {
-    return !isNeighbourName(name) && parseObjectName(name);
-  });
-  if (!ambiguous.empty())
-    model.warnings.push_back("links have names that markers may have, NS/ID: " + ambiguous +
-                             "; such a marker gets a second box of that name, so give these links "
-                             "other names");
-  if (model.links.empty()) {
-    model.warnings.push_back(
-        "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "
-        "geometry; correct them");
-  }
-  if (parameters.distance_warning > parameters.distance_limit) {
-    model.warnings.push_back(
-        "parameter ~distance_warning is larger than ~distance_limit, beyond which nothing is "
-        "measured; raise ~distance_limit");
-  }
-  constexpr double kHistory = static_cast<double>(EdgeHistory::kLength) / 1e9;
-  if (parameters.swept_span >= kHistory) {
-    model.warnings.push_back(
-        "parameter ~swept_span is no shorter than the ten seconds that tf remembers, so ~swept has "
-        "no box of what moves; lower it");
-  }
-  model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
+  for (const auto& warnings :
+       {unknownJoints(parameters, robot), bounded.part_problems, nameWarnings(model.links),
+        groupsWithLeftOut(parameters, robot, selection),
+        valueWarnings(parameters, model.links.empty()), robot.warnings})
+    model.warnings.insert(model.warnings.end(), warnings.begin(), warnings.end());
   return model;
 }
 

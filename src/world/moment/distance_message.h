@@ -15,7 +15,7 @@ namespace link_bounds {
 
 Distance toMessage(const Moment& moment, const FoundPair& pair);
 
-/// The same without names and stamp.
+/// The distance of a message, without its names and stamp.
 BodyDistance bodyDistanceOf(const Distance& message);
 
 BoxOverlap toMessage(const Moment& moment, const BoxPair& pair);

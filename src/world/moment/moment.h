@@ -36,7 +36,7 @@ struct Moment {
     return body.link ? model->links[*body.link].name : body.object->bounded.name;
   }
 
-  /// Of the body of that index.
+  /// The body of that index, as isPair() takes it.
   PairMember member(std::size_t index) const { return {&name(bodies[index]), bodies[index].link}; }
 
   /// Adds the next body to those that are incomplete. Objects of one name follow each other.

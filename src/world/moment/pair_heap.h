@@ -22,7 +22,7 @@ struct FoundPair {
 
 class PairHeap {
  public:
-  /// Of so many candidates.
+  /// Keeps the `max` nearest of at most `candidates` pairs.
   PairHeap(std::size_t max, std::size_t candidates) : max_(max) {
     pairs_.reserve(std::min(candidates, max + 1));
   }

@@ -78,7 +78,7 @@ class SceneMaker {
   }
 
  private:
-  /// Of the pose in the fixed frame; "" if there is one.
+  /// Why the frame has no pose in the target frame; "" if it has one.
   std::string problemOf(Frame frame) {
     return describe(tracker_.keep(frame).problem, tf_.name(frame), tf_.name(scene_.target));
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "world/tf/frame_paths.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -131,7 +132,7 @@ BodyWay BodyWays::find(const PastBody& body) {
 /// The stamp, less by how much the clock is ahead that stamps the joints on the way up to the root.
 /// What does not move is dated ahead on purpose now and then.
 std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
-  std::int64_t known = std::min(stamp, static_cast<std::int64_t>(scene_.now.toNSec()));
+  std::int64_t known = std::min(stamp, nanosecondsOf(scene_.now));
   for (const Frame edge : wayUp(tf_, frame)) {
     const auto link = rules_.linkOf(tf_.name(edge));
     if (link && !rules_.jointAbove(*link)) break;  // above the root nothing counts for contacts

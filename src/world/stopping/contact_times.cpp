@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "world/stopping/contact_reach.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -133,9 +134,8 @@ std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const St
     return linkBox(*body.bounded, way.pose);
   });
   const ros::Time stamp = boxes.moment->header.stamp;
-  const auto clock = static_cast<std::int64_t>(scene.now.toNSec());
-  const std::int64_t start =
-      stamp.isZero() ? clock : std::min(static_cast<std::int64_t>(stamp.toNSec()), clock);
+  const auto clock = nanosecondsOf(scene.now);
+  const std::int64_t start = stamp.isZero() ? clock : std::min(nanosecondsOf(stamp), clock);
   Contacts contacts(boxes, rules, start + kHorizon);
   const auto can_meet = [&contacts](std::size_t a, std::size_t b) {
     return contacts.canMeet(a, b);

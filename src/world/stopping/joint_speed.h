@@ -42,9 +42,10 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& reports, std::int64_t stamp,
                       std::int64_t window, const std::optional<JointReport>& before = {});
 
-/// To be called before that, with the joint that was reported. The driver of a continuous joint may
-/// begin its turn anew; with velocities, these tell. Returns why the direction of a joint is open:
-/// it turns by 90 degrees or more between two reports.
+/// To be called before jointState(), with the joint that the reports are of. Joins the
+/// positions of a continuous joint where its driver begins a turn anew; those with velocities stay
+/// as they are. Returns why the direction is not known, if the joint turns by 90 degrees or more
+/// between two reports; else "".
 std::string unwrap(const Joint& joint, std::vector<JointReport>& reports);
 
 /// Why the pose of a joint's child does not fit the joint; "" if it does.

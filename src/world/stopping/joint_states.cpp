@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// As much history as tf has.
 #include "world/stopping/joint_states.h"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the URDF and the parameters.
 #include "world/stopping/stop_rules.h"
 
 #include <algorithm>

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "world/tf/nanoseconds.h"
+
 namespace link_bounds {
 namespace {
 
@@ -19,8 +21,7 @@ const ros::WallDuration kClockTimeout(5.0);
 
 /// Seconds; the difference of two ros::Time throws when it is too large for a ros::Duration.
 double since(ros::Time earlier, ros::Time later) {
-  const auto nanoseconds = [](ros::Time time) { return static_cast<std::int64_t>(time.toNSec()); };
-  return static_cast<double>(nanoseconds(later) - nanoseconds(earlier)) / 1e9;
+  return static_cast<double>(nanosecondsOf(later) - nanosecondsOf(earlier)) / 1e9;
 }
 
 }  // namespace

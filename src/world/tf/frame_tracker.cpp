@@ -136,7 +136,7 @@ void FrameTracker::build(const std::vector<Place>& places) {
     followed_[followed.frame].place = add(followed.frame);
 }
 
-/// If the way up from the fixed frame runs into a loop, a frame must meet the fixed frame itself.
+/// Where the way up from the fixed frame is a loop, only the fixed frame itself counts as above.
 void FrameTracker::findAbove() {
   above_.assign(1, *fixed_frame_);
   heights_.begin(tf_.size());

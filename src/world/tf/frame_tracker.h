@@ -130,7 +130,7 @@ class FrameTracker {
     std::size_t place = kNowhere;  ///< in nodes_; may remain for some time without handles
   };
 
-  /// Of a followed frame, before a build.
+  /// A followed frame and its place before a build.
   struct Place {
     Frame frame;
     std::size_t old_place;
@@ -172,7 +172,7 @@ class FrameTracker {
   std::uint64_t seen_ = 0;                 ///< version of tf at the last update
 };
 
-/// Of two stamps of transforms [ns]; 0, that of a static one, does not count.
+/// The older of two stamps of transforms [ns]; 0, that of a static one, does not count.
 std::int64_t olderStamp(std::int64_t a, std::int64_t b);
 
 /// What was received before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0:

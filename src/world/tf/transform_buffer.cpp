@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "world/tf/nanoseconds.h"
+
 namespace link_bounds {
 namespace {
 
@@ -30,10 +32,6 @@ constexpr const char* kInDoubt =
 constexpr const char* kLate =
     "its stamp is older than the newest one of the frame, so it does not move the frame; "
     "synchronise the clocks";
-
-std::int64_t nanoseconds(ros::Time time) {
-  return static_cast<std::int64_t>(time.toNSec());
-}
 
 }  // namespace
 
@@ -75,7 +73,7 @@ std::vector<Refusal> TransformBuffer::add(const std::vector<TransformView>& tran
   for (std::size_t i = 0; i < transforms.size(); ++i) {
     Refusal refusal{i, whyRefused(transforms[i])};
     if (refusal.reason) countByName(&TfIntake::unusable, transforms[i].child);
-    if (refusal.reason || !insert(transforms[i], is_static, nanoseconds(now), refusal))
+    if (refusal.reason || !insert(transforms[i], is_static, nanosecondsOf(now), refusal))
       refusals.push_back(refusal);
   }
   return refusals;
@@ -101,7 +99,7 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
     edge.had_others |= edge.has_parent;
   }
   if (!edge.history) edge.history.emplace(edge.is_static = is_static);
-  const std::int64_t stamp = nanoseconds(transform.stamp);
+  const std::int64_t stamp = nanosecondsOf(transform.stamp);
   const bool is_replaced = edge.is_static && edge.has_parent &&
                            !edge.history->holds({transform.parent_from_child, parent, stamp});
   if (is_replaced) count(&TfIntake::replaced, edge.needs > 0);
@@ -140,8 +138,8 @@ bool TransformBuffer::insert(Edge& edge, std::int64_t stamp, Frame parent, const
   return edge.history->insert(stamp, parent, pose);
 }
 
-/// Parent and stamp of a transform that was accepted. A late one leaves the newest in place, and
-/// the time when that was received: false.
+/// Stores parent and stamp of an accepted transform. False for a late one, which changes neither
+/// the newest stamp nor the time when that was received.
 bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now) {
   ++intake_.accepted;
   edge.message = message_;
@@ -226,25 +224,25 @@ void TransformBuffer::clear() {
 
 void TransformBuffer::distrustStampsAhead(ros::Time now) {
   for (Edge& edge : edges_) {
-    edge.is_distrusted = edge.newest > nanoseconds(now) + EdgeHistory::kLength;
+    edge.is_distrusted = edge.newest > nanosecondsOf(now) + EdgeHistory::kLength;
     edge.is_in_doubt = false;
   }
 }
 
 void TransformBuffer::startClock(ros::Time now) {
   for (Edge& edge : edges_) {
-    if (edge.received == 0) edge.received = nanoseconds(now);
+    if (edge.received == 0) edge.received = nanosecondsOf(now);
   }
 }
 
 bool TransformBuffer::jumpAhead(ros::Time now) {
   bool is_any = false;
   for (Edge& edge : edges_) {
-    if (std::abs(edge.newest - nanoseconds(now)) > kAtClock) continue;
+    if (std::abs(edge.newest - nanosecondsOf(now)) > kAtClock) continue;
     if (!is_any) ++message_;
     is_any = true;
     edge.message = message_;
-    edge.received = nanoseconds(now);
+    edge.received = nanosecondsOf(now);
   }
   return is_any;
 }

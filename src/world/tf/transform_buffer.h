@@ -109,7 +109,7 @@ class TransformBuffer {
   /// The number of frames that are not forgotten.
   std::size_t inUse() const { return edges_.size() - unused_; }
 
-  /// The same, but nothing for a name that was never met; the buffer stays as it is.
+  /// The number of the name, as frame() gives it. Nothing for an unknown name, which stays unknown.
   std::optional<Frame> find(std::string_view name) const { return names_.known(name); }
 
   const std::string& name(Frame frame) const { return names_.name(frame); }

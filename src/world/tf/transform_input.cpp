@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Filters and logs.
 #include "world/tf/transform_input.h"
 
 #include <ros/console.h>

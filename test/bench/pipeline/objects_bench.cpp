@@ -13,6 +13,7 @@
 #include "link_bounds/geometry/shape/bounded_link.h"
 #include "node/upkeep/heap.h"
 #include "testing/brute_force.h"
+#include "world/bodies/marker_refusal.h"
 #include "world/bodies/marker_shape.h"
 
 namespace link_bounds::bench {

@@ -66,11 +66,11 @@ class TfReceiverTest : public testing::Test {
 TEST_F(TfReceiverTest, RoscppDropsOnlyWhereSoManyWait) {
   send(TfReceiver::kQueue - 1);
   EXPECT_EQ(takeAll(), TfReceiver::kQueue - 1);
-  EXPECT_EQ(queue_.takeMostWaiting(), TfReceiver::kQueue - 1);
-  EXPECT_EQ(queue_.takeMostWaiting(), 0u);
+  EXPECT_EQ(queue_.takeMaxWaiting(), TfReceiver::kQueue - 1);
+  EXPECT_EQ(queue_.takeMaxWaiting(), 0u);
   send(TfReceiver::kQueue + 7);
   EXPECT_EQ(takeAll(), TfReceiver::kQueue);
-  EXPECT_EQ(queue_.takeMostWaiting(), TfReceiver::kQueue);
+  EXPECT_EQ(queue_.takeMaxWaiting(), TfReceiver::kQueue);
 }
 
 }  // namespace

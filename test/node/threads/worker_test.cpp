@@ -19,6 +19,7 @@
 #include "node/threads/queued_function.h"
 #include "testing/patience.h"
 #include "testing/worker_gate.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 namespace {
@@ -116,10 +117,12 @@ TEST(Worker, TellsRunningWorkThatNobodyWaitsForIt) {
 
 TEST(Worker, GoesOnAfterWorkThatThrows) {
   ros::Time::init();  // for the log
+  const std::uint64_t before = unexpectedErrors();
   Worker worker({"test"});
   worker.post("a", [] { throw std::bad_alloc(); });
   enqueue(worker, [] { throw std::runtime_error("a test"); });
   drain(worker);
+  EXPECT_EQ(unexpectedErrors(), before + 2);
 }
 
 /// Where it was freed.

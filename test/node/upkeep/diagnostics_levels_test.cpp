@@ -71,7 +71,7 @@ class DiagnosticsLevels : public testing::Test {
 /// In one test: a process has one master.
 TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
   const DiagnosticStatus calm =
-      statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue - 1; });
+      statusWith([](Health& health) { health.max_waiting = TfReceiver::kQueue - 1; });
   EXPECT_EQ(calm.level, DiagnosticStatus::OK) << calm.message;
   const auto value = [&calm](const std::string& key) {
     const auto row = std::find_if(calm.values.begin(), calm.values.end(),
@@ -85,7 +85,7 @@ TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
   EXPECT_GE(std::stod(oldest), kAge * 1e3 - 1);
   EXPECT_LT(std::stod(oldest), kAge * 2e3);
   const DiagnosticStatus full =
-      statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue; });
+      statusWith([](Health& health) { health.max_waiting = TfReceiver::kQueue; });
   EXPECT_EQ(full.level, DiagnosticStatus::WARN);
   EXPECT_EQ(full.message, "messages of /tf, ~objects or ~neighbours may have been dropped");
   const auto failed = [](Health& health) { health.errors = 3; };

@@ -232,6 +232,20 @@ TEST(ImportDae, WhatIsNoNumberToItsEndIsRefused) {
         << number;
 }
 
+/// Assimp leaves out what follows, as where a blank has come into a number.
+TEST(ImportDae, MoreNumbersThanThereAreIsRefused) {
+  expectRefusedDae(daeWith("99 99 99", "99 99 9 9"), "too many numbers in the <float_array>");
+  for (const auto& [name, numbers] : {std::pair("translate", "0 0 1 0"),
+                                      {"scale", "1 1 0 1"},
+                                      {"rotate", "0 0 1 9 0"},
+                                      {"matrix", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0"},
+                                      {"lookat", "0 0 0 0 0 1 0 1 0 0"}}) {
+    const std::string begin = std::string("<") + name + ">", end = std::string("</") + name + ">";
+    expectRefusedDae(dae(kMetres, node(begin + numbers + end + kInstance)),
+                     std::string("too many numbers in the <") + name + ">");
+  }
+}
+
 TEST(ImportDae, ANegativeIndexIsRefused) {
   EXPECT_EQ(importDae(daeWith("0 2 1 0 1 3", "<!-- -1 -->0 2 1 0 1 3")).triangles.size(), 4u);
   expectRefusedDae(daeWith("0 2 1 0 1 3", "<![CDATA[0 2 1 0 1 -1 ]]>"), "\"-1\" is no index");

@@ -164,6 +164,43 @@ TEST_F(ImportRefusals, ATextWithFewerLinesThanItSays) {
   expectRefused("a.off", kOffVertices + "10 0 1 2 0 1 2 0 1 2 0\n", "more corners than the 9");
 }
 
+/// The second line is part of a number, or was a property.
+TEST_F(ImportRefusals, ADamagedPlyText) {
+  const std::string good = ply("3 0 1 2");
+  const auto expect = [&](const std::string& old_text, const std::string& text,
+                          const std::string& reason) {
+    std::string bad = good;
+    bad.replace(bad.find(old_text), old_text.size(), text);
+    expectRefused("a.ply", bad, reason);
+  };
+  expect("property float z", "properperty float z", "\"properperty\" is no word of its header");
+  expect("property float z", std::string(16, '\0'), "is no word of its header");
+  expect("property float z\n", "", "its vertices have no property z");
+  expect("1 0 0", "1 0 0.5 5", "too many numbers in line 1 of vertex");
+  expect("3 0 1 2", "3 0 1 2 2", "too many numbers in line 0 of face");
+}
+
+TEST_F(ImportRefusals, ADamagedObj) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 9\nf 1 2 3\n";
+  const auto triangles = [&](const std::string& rest) {
+    return import("a.obj", vertices + rest).triangles.size();
+  };
+  for (const char* const face : {"f 1 2 4", "f -4 -3 -1", "f\t1 2 4 \r"})
+    EXPECT_EQ(triangles(std::string(face) + "\n"), 2u) << face;
+  for (const char* const other : {"s off", "usemtl a", "g", "vp 1 2", "# any words", "\t", "o x y"})
+    EXPECT_EQ(triangles(std::string("f 1 2 4\n") + other + "\n"), 2u) << other;
+  EXPECT_EQ(import("a.obj", "\xEF\xBB\xBF# made by hand\n" + vertices).triangles.size(), 1u);
+  expectRefused("a.obj", vertices + "F 1 2 4\n", "\"F\" is no word of OBJ, in line 6");
+  expectRefused("a.obj", vertices + "x 1 2 4\n", "is no word of OBJ");
+  expectRefused("a.obj", "\xEF\xBB\xBF" + vertices, "is no word of OBJ, in line 1");
+  expectRefused("a.obj", vertices + "f 1 /2 4\n", "\"/2\" is no corner, in line 6");
+  expectRefused("a.obj", vertices + "f +1 2 4\n", "is no corner");
+  expectRefused("a.obj", vertices + "f 1 2 a4\n", "is no corner");
+  for (const char* const begin : {"", "f 1 2 ", "# "})
+    expectRefused("a.obj", vertices + begin + std::string(512, '\0') + "\nf 1 2 4\n",
+                  "a byte 0 is in line 6");
+}
+
 TEST_F(ImportRefusals, ABinaryFileThatBeginsLikeAPlyIsNone) {
   EXPECT_EQ(import("a.stl", binaryStl(tetrahedronCorners(), "ply2stl output")).triangles.size(),
             4u);

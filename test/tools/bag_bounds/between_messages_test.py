@@ -263,6 +263,16 @@ class PostTest(BagBoundsTest):
         found = self.report(bag, '--distances', '0.02', '--objects', '/objects', code=0)
         self.assertEqual(found['distances'], [])
 
+    def test_a_transform_that_is_too_far_away_for_squares_leaves_the_motion_open(self):
+        for far in 1e100, 1e155, 1e300:
+            messages = [('/tf', TFMessage([transform('base', 'hand', time_of(BEGIN + i), (x, 0, 0),
+                                                     (0, 0, 0, 1))]), time_of(BEGIN + i))
+                        for i, x in enumerate((-9, -9, far))]
+            bag = self.bag([marker(0, 0, 0.1)] + messages)
+            found = self.report(bag, '--distances', '0.01', '--objects', '/objects',
+                                code=INCOMPLETE, err='not decided')
+            self.assertEqual(found['open'], ['motions of pairs that are not decided: 1'])
+
     def test_a_dip_below_the_limit_is_found(self):
         """A corner 1 mm off its axis turns by 60 degrees before a plate. It is nearest in the
         middle, by 0.134 mm."""

@@ -199,6 +199,12 @@ class PathTest(UrdfBoundsTest):
         self.assertEqual((code, out), (1, ''), err)
         self.assertRegex(err.splitlines()[-1], 'error: .*' + reason)
 
+    def test_numbers_too_large_prove_nothing(self):
+        """Their squares are infinite. The block meets the bump in the first metres."""
+        for far in '1e155', '1e200', '1e308':
+            self.assertEqual(self.verdicts('push,lift\n0,-0.11\n%s,-0.11\n' % far,
+                                           '--budget', '5', code=4), ['UNDECIDED'])
+
     def test_without_time_a_segment_is_undecided(self):
         path = self.write('path.csv', 'push,lift\n0,0\n4,0\n')
         code, out, err = run('-', '--poses', path, '--path', '--budget', '1e-9', urdf=SLIDE)

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Each reason to refuse a marker alone; and whatever is not refused gets a finite box.
+#include "world/bodies/marker_refusal.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -28,7 +28,8 @@ std::vector<double> jointValues(const Robot& robot, const std::map<std::string, 
 /// JointError if the value is not 0 and the joint has no axis.
 Eigen::Isometry3d jointMotion(const Joint& joint, double value);
 
-/// The same for a joint of that motion about or along a unit axis.
+/// The same for a joint about or along `axis`, of unit length. The identity for a motion that is
+/// neither kRotation nor kTranslation.
 Eigen::Isometry3d jointMotion(Motion motion, const Eigen::Vector3d& axis, double value);
 
 /// The pose of each link in the frame of the root link [m]; `values` come from jointValues. Throws

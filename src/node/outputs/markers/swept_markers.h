@@ -13,7 +13,7 @@ namespace link_bounds {
 /// not there is deleted.
 visualization_msgs::MarkerArray sweptMarkers(const AxisAlignedBoxArray& boxes);
 
-/// The same of the boxes of ~stopping, in another colour.
+/// As sweptMarkers(), of the boxes of ~stopping, in another colour.
 visualization_msgs::MarkerArray stoppingMarkers(const AxisAlignedBoxArray& boxes);
 
 }  // namespace link_bounds

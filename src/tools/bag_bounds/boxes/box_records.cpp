@@ -85,7 +85,7 @@ void add(BoxRecord& record, const BoxState& state, std::int64_t now, double time
   }
 }
 
-/// Of the time in which the object was there, with a box.
+/// In which share of the time in which the object was there it had a box.
 double shareOf(const BoxRecord& object) {
   if (object.time > 0)
     return static_cast<double>(object.covered) / static_cast<double>(object.time);

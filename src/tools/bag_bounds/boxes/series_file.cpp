@@ -9,6 +9,7 @@
 #include "tools/bag_bounds/boxes/box_records.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/formats/safe_text.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -43,7 +44,7 @@ void SeriesFile::add(const Scene& scene, const std::vector<Distance>& distances,
   for (Names::value_type* object : before)
     if (object->second.pass != pass_) addBox(*object, BoxState(), time, timeout);
   for (const Distance& distance : distances) {
-    out_ << time << ',' << stampSeconds(static_cast<std::int64_t>(distance.stamp.toNSec())) << ','
+    out_ << time << ',' << stampSeconds(nanosecondsOf(distance.stamp)) << ','
          << csvField(distance.first) << ',' << csvField(distance.second) << ",,,,,,,"
          << exactNumber(distance.distance) << ",\n";
   }

@@ -41,7 +41,7 @@ struct BagLine {
 BagLine lineOf(const BagIdentity& bag, const std::string& question, const BagRun& run,
                const Demand& demand);
 
-/// Of a bag about which nothing can be said.
+/// The line of a bag about which nothing can be said.
 BagLine unusableLine(const BagIdentity& bag, const std::string& question,
                      const std::string& reason);
 

@@ -43,7 +43,7 @@ bool isCounted(const std::string& option_name) {
   return kOthers.count(option_name) == 0;
 }
 
-/// Of items of numbers, whatever their order.
+/// A fingerprint of items of numbers that does not depend on their order.
 class SumOfItems {
  public:
   template <class Item>

@@ -61,7 +61,7 @@ class JsonWriter {
         << ",\n \"left_out\": " << jsonString(report_.left_out);
   }
 
-  /// Of several, the first in the order of ~boxes.
+  /// The link that was covered least; of several, the first in the order of ~boxes.
   std::string leastCovered() const {
     const BoxRecord* least = nullptr;
     for (const BoxRecord& box : report_.boxes)

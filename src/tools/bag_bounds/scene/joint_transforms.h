@@ -26,10 +26,10 @@ class JointTransforms {
   JointTransforms(const JointTransforms&) = delete;
   JointTransforms& operator=(const JointTransforms&) = delete;
 
-  /// Of all fixed joints.
+  /// The transforms of all fixed joints.
   std::vector<TransformView> fixed() const;
 
-  /// Of the joints whose positions the message has, one per name, and of those that mimic them and
+  /// Transforms of the joints that the message has, one per name, and of those that mimic them and
   /// have none of their own. Other names are those of other robots, or of joints that the URDF does
   /// not have. Where a joint turned by more than tf2 can interpolate, transforms on its way come
   /// before the last one.
@@ -44,7 +44,7 @@ class JointTransforms {
  private:
   using Values = std::map<std::string, double>;  // by the name of the joint
 
-  /// Of a joint, in a message.
+  /// The position of a joint in a message.
   struct Position {
     double value;
     ros::Time stamp;

@@ -70,8 +70,8 @@ void ObjectTopics::keepOwn(Marker& marker, const std::string& topic, Markers& ow
   own.push_back(std::move(marker));
 }
 
-/// In place of a DELETEALL: of the objects that are there, and of those that the message adds
-/// before it. Those of one publisher, or of all if it is null.
+/// Replaces a DELETEALL: adds a DELETE for each object of the topic that is there or that the
+/// message adds before it; of those of one publisher, or of all if it is null.
 void ObjectTopics::addDeletions(const std::string& topic, const std::string* publisher,
                                 Markers& own) const {
   std::set<ObjectKey> keys;

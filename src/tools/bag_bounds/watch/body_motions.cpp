@@ -131,8 +131,8 @@ void BodyMotions::followView() {
   if (last == 0 || stamp < last) view_since_ = stamp;
 }
 
-/// In the view, as far as its motion is known: of a link, and of an object that was placed once.
-/// The way of a link from a place that is not known is undecided.
+/// Sets where the body, a link or an object that was placed once, was in the view at the earliest
+/// time that is known. The way of a link from an unknown place is undecided.
 void BodyMotions::beginKnown(Last& last, const BoxSource& source,
                              const FrameView::Placed& placed) const {
   const bool is_link = !source.object;

@@ -8,6 +8,7 @@
 #include "tools/command_line/interrupt.h"
 #include "world/moment/distance_message.h"
 #include "world/moment/object_body.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -79,7 +80,7 @@ void NearestPairs::addNow(const ComputedDistances& computed, double limit, std::
   latest_ = array.distances;
   for (const Distance& distance : latest_) {
     was_undercut_ |= isFinding(distance, limit);
-    keep(distance, {now, static_cast<std::int64_t>(distance.stamp.toNSec())});
+    keep(distance, {now, nanosecondsOf(distance.stamp)});
   }
 }
 

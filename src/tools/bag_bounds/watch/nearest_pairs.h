@@ -48,7 +48,7 @@ class NearestPairs {
   /// To be called at the end of the report, and before tf forgets: the bodies stay where they are.
   void endMotions(const TransformBuffer& tf);
 
-  /// Of the last add().
+  /// The distances of the last add().
   const std::vector<Distance>& latest() const { return latest_; }
 
   /// In alphabetical order.

@@ -36,7 +36,7 @@ void stand(MovedBody& body, TransformBuffer::Frame frame, const Eigen::Affine3d&
 /// Then what moved beside a body at rest is looked at, before tf forgets it [ns].
 constexpr std::int64_t kLongestRest = EdgeHistory::kLength / 2;
 
-/// Of the movers of a moment.
+/// Until when the movers of a moment were compared with bodies at rest [ns].
 struct RestTimes {
   std::int64_t newest = 0;  ///< stamp of all
   std::int64_t end = 0;     ///< up to this one, all that move were looked at beside those at rest
@@ -72,7 +72,7 @@ void PairMotions::remember(const Scene& scene, std::int64_t now) {
   forgetObjects();
 }
 
-/// Of the last moment. Those that were gone before stay while they are needed. One that was
+/// Finds which objects of the last moment are gone. Earlier ones stay while needed. One that was
 /// replaced stands until the stamp of the new one, which may be ahead of the recorder.
 void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& means) {
   const std::size_t count = moment_ ? moment_->bodies.size() - needed_gone_ : 0;
@@ -161,7 +161,7 @@ void PairMotions::forgetGone() {
   gone_ = std::move(kept);
 }
 
-/// With those that were there when a motion began that ends now.
+/// The moment, and the objects that are gone but were there when a motion began that ends now.
 MomentPtr PairMotions::withGone(const MomentPtr& moment, const TransformBuffer& tf) {
   needed_gone_ = 0;
   if (gone_.empty()) return moment;
@@ -242,7 +242,7 @@ std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, cons
   std::vector<BoxPair> near;
   const double margin = moment->model->parameters.distance_limit + way;
   means.pairs.read(
-      moment, std::isfinite(margin) ? margin : 1e30,
+      moment, std::min(margin, std::numeric_limits<double>::max()),
       [&near](const NearPairs& found) { near = found.compared; }, means.handlers.gives_up);
   return near;
 }

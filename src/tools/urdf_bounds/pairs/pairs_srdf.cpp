@@ -30,13 +30,13 @@ std::string whatIsKnown(const PairProof& proof) {
          metres(proof.nearest) + " apart at " + printable(argumentsOf(proof.pose));
 }
 
-/// Where all poses collide, another reason would be right.
+/// Suggests reason="Always" for a pair that collided in all poses tried; "" for others.
 std::string remedyFor(const PairProof& proof) {
   if (proof.verdict != Verdict::kContactSampled) return "";
   return ", as in " + inAllPoses(proof) + "; reason=\"Always\" says so";
 }
 
-/// Of one table.
+/// Makes the lines of a SRDF from one table.
 class SrdfWriter {
  public:
   SrdfWriter(const PairsTable& table, bool accept_sampled)
@@ -86,7 +86,7 @@ class SrdfWriter {
     return table_.srdf->exempt.reasonOf(table_.links[proof.first], table_.links[proof.second]);
   }
 
-  /// Of links without geometry, of which there are no proofs.
+  /// Pairs of the old SRDF with a link without geometry, of which there are no proofs.
   std::vector<DisabledPair> othersOfTheOldOne() const {
     std::vector<DisabledPair> others;
     if (!table_.srdf) return others;

@@ -79,7 +79,7 @@ struct RowWorker {
   bool has_compared = false;
 };
 
-/// Of the first `end` ones.
+/// How many of the first `end` rows have a fault.
 std::size_t faultyRows(const JointTable& table, std::size_t end) {
   const auto is_faulty = [](const std::string& fault) { return !fault.empty(); };
   const auto begin = table.faults.begin();
@@ -126,7 +126,7 @@ class RowsRun {
     return done;
   }
 
-  /// Of the first `done` rows.
+  /// The report of the first `done` rows.
   RowsTable result(const std::string& frame, std::size_t done) {
     RowsTable table;
     table.frame = frame;
@@ -266,7 +266,7 @@ class RowsRun {
 
 }  // namespace
 
-/// Of those that the summary names.
+/// How many pairs of the summary have an inexact distance, see isRough().
 static std::size_t roughPairs(const RowsTable& table) {
   return static_cast<std::size_t>(std::count_if(
       table.pairs.begin(), table.pairs.end(),

@@ -22,7 +22,7 @@ void checkNames(const Robot& robot, const GivenRanges& given) {
   }
 }
 
-/// `subject` is what is printed. One warning for all of them.
+/// One warning about all joints in `beyond`. `subject` names what is printed nevertheless.
 void warnOfLimits(const std::string& beyond, const std::string& subject) {
   if (!beyond.empty()) warn(beyond + "; " + subject + " all the same");
 }

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Times of ROS as signed numbers, whose differences never overflow as those of ros::Time may.
+#pragma once
+
+#include <ros/time.h>
+
+#include <cstdint>
+
+namespace link_bounds {
+
+inline std::int64_t nanosecondsOf(ros::Time time) {
+  return static_cast<std::int64_t>(time.toNSec());
+}
+
+}  // namespace link_bounds
