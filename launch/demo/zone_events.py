@@ -27,7 +27,7 @@ from demo_arguments import (  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
 QUIET = 10  # PERIODs without a message: then both topics have sent what they know
-APART = 30  # PERIODs after which the stamps of both topics must have gone back equally often
+APART = 10  # PERIODs within which both topics must once have come equally far
 KEPT = 200  # messages of a topic, for those of the other one that come late
 ALONE = 20  # PERIODs for which nobody publishes a topic
 NEVER = -1  # ns, before each stamp
@@ -58,14 +58,10 @@ class History:
             del self.by_time[next(iter(self.by_time))]
         return self._time()
 
-    def is_behind(self, other):
-        """Or ahead: the stamps have not gone back equally often."""
-        return self._back != other._back
-
     def contradicts(self, other):
         """Once both have sent all: one has lost a message that counts for the times of later ones."""
-        return self.is_behind(other) or (self._stamp == other._stamp and
-                                         self._before != other._before)
+        return self._back != other._back or (self._stamp == other._stamp and
+                                             self._before != other._before)
 
     def begin_anew(self, other):
         """The newest message is as new as that of the other topic, if they have one stamp."""
@@ -91,7 +87,7 @@ class Watch:
         self._outside = {}  # of those inside, who is not any more: whether it has a box
         self._settled = set()  # of those outside, who was so a PERIOD ago
         self._quiet = 0  # PERIODs since the last message
-        self._apart = 0  # PERIODs for which one topic is behind
+        self._apart = 0  # PERIODs for which the topics contradict each other
         self._alone = 0  # PERIODs for which nobody publishes a topic
 
     def take_overlaps(self, message):
@@ -125,7 +121,7 @@ class Watch:
         """Reports who leaves; to be called every PERIOD."""
         with self._lock:
             self._quiet += 1
-            self._apart = self._apart + 1 if self._boxes.is_behind(self._overlaps) else 0
+            self._apart += 1
             is_quiet = self._quiet > QUIET and self._boxes.contradicts(self._overlaps)
             if is_quiet or self._apart > APART:
                 self._begin_anew()
@@ -159,6 +155,8 @@ class Watch:
 
     def _compare(self, time):
         """Who is outside, once both topics have told of one moment."""
+        if not self._boxes.contradicts(self._overlaps):
+            self._apart = 0
         if time not in self._boxes.by_time or time not in self._overlaps.by_time:
             return
         boxed, incomplete = self._boxes.by_time[time]

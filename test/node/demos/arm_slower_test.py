@@ -6,6 +6,7 @@ import inspect
 import os
 import sys
 import textwrap
+import time
 import unittest
 import unittest.mock
 
@@ -15,7 +16,7 @@ from page_testing import PACKAGE, code_block
 from std_msgs.msg import Header
 
 sys.path.append(os.path.join(PACKAGE, "launch", "demo"))
-from arm_slower import SLOWER, SLOWEST, Slower  # noqa: E402
+from arm_slower import SILENCE, SLOWER, SLOWEST, Slower  # noqa: E402
 
 HALF = 0.5  # of the full speed
 NOW, LATER = 100.0, 100.1  # s
@@ -51,10 +52,27 @@ class ArmSlower(unittest.TestCase):
     def test_no_faster_by_boxes_of_another_stamp(self):
         self.assertEqual(self.speed_after(boxes=NOW), HALF)
 
+    def test_slower_without_messages(self):
+        with unittest.mock.patch("rospy.Publisher"), unittest.mock.patch("rospy.Subscriber"):
+            slower = Slower()
+        slower.watch()
+        slower.publisher.publish.assert_not_called()
+        for silent, speed in (SILENCE / 2, 1.0), (SILENCE * 2, SLOWER):
+            slower.heard = time.monotonic() - silent
+            slower.watch()
+            self.assertEqual(slower.speed, speed)
+        for _ in range(100):
+            slower.watch()
+        self.assertEqual(slower.publisher.publish.call_args[0], (SLOWEST,))
+        slower.take(BoxOverlapArray(header=header(LATER)))
+        slower.publisher.publish.reset_mock()
+        slower.watch()
+        slower.publisher.publish.assert_not_called()
+
     def test_the_page_shows_it(self):
         shown = code_block("doc/scene.md", "## Can it still stop?", "python")
         own = [textwrap.dedent(inspect.getsource(function))
-               for function in (Slower.take_boxes, Slower.take)]
+               for function in (Slower.take_boxes, Slower.take, Slower.watch)]
         self.assertEqual(shown, "\n".join(own))
 
 

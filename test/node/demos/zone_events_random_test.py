@@ -137,6 +137,23 @@ class ZoneEventsRandom(unittest.TestCase):
     def test_both_do_not_last(self):
         self.check(back=0.1, lost=0.1)
 
+    def test_a_lost_message_of_one_stamp_costs_one_visit(self):
+        """Ten visits of half a second, at 100 Hz, with two messages that are lost."""
+        told = []
+        watch = Watch("zones", told.append)
+        boxes = AxisAlignedBoxArray(
+            boxes=[AxisAlignedBox(name=name) for name in ("hand", ZONE)])
+        for i in range(1000):
+            watch.take_boxes(boxes)
+            visits = [BoxOverlap(first="hand", second=ZONE)] * (i % 100 < 50)
+            if i not in (120, 520):
+                watch.take_overlaps(BoxOverlapArray(overlaps=visits))
+            if i % 10 == 9:
+                watch.settle()
+        for event in "entered", "left":
+            count = told.count("link hand %s zone %s" % (event, ZONE))
+            self.assertIn(count, (8, 9, 10), told)
+
     def test_a_log_that_cannot_be_written_keeps_no_event_back(self):
         told, full = [], OSError(28, "No space left on device")
         with unittest.mock.patch("rospy.loginfo", side_effect=full):
