@@ -173,9 +173,10 @@ Eigen::Vector3d BodyGrid::centerOf(std::size_t index) const {
 }
 
 bool BodyGrid::decide(const Eigen::Vector3d& point, double slack, Cell cell) const {
-  const double reach = padding_ + slack;
-  const PointDistance found = surface_.distance(point, reach * (1 + 1e-9) + 1e-9, reach);
-  if (found.lower <= reach) return true;
+  const double max_distance = padding_ + slack;
+  const PointDistance found =
+      surface_.distance(point, max_distance * (1 + 1e-9) + 1e-9, max_distance);
+  if (found.lower <= max_distance) return true;
   return cell == Cell::kByDistanceAndSide && surface_.contains(point).value_or(true);
 }
 

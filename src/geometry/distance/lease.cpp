@@ -58,7 +58,7 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
   const Eigen::Matrix3d product = axes.transpose() * axes;
   const double defect = (product - Eigen::Matrix3d::Identity()).norm() + kMinDefect;
   const double from_origin = origin.norm();
-  const bool is_small = from_origin <= kFarthest && ball.reach <= kFarthest;
+  const bool is_small = from_origin <= kFarthest && ball.farthest <= kFarthest;
   if (!(defect <= kLargestDefect) || !is_small || axes.determinant() < 0) return std::nullopt;
   return RigidBody{ball, axes, origin, from_origin, defect};
 }
@@ -70,7 +70,7 @@ PosePair::PosePair(const RigidBody& first, const RigidBody& second) {
   const Eigen::Vector3d offset = mover.origin - rests.origin;
   origin.noalias() = rests.axes.transpose() * offset;
   defect = first.defect + second.defect;
-  size = first.ball.reach + second.ball.reach + offset.norm();
+  size = first.ball.farthest + second.ball.farthest + offset.norm();
   rounding = 8 * kUnitRoundoff * (first.from_origin + second.from_origin + size);
 }
 

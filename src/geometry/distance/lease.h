@@ -12,11 +12,11 @@ namespace link_bounds {
 /// Holds a body, in its own frame.
 struct Ball {
   Ball(const Eigen::Vector3d& its_center, double its_radius)
-      : center(its_center), radius(its_radius), reach(center.norm() + radius) {}
+      : center(its_center), radius(its_radius), farthest(center.norm() + radius) {}
 
   Eigen::Vector3d center;
   double radius;
-  double reach;  ///< no point of the body is farther from the origin of its frame
+  double farthest;  ///< no point of the body is farther from the origin of its frame
 };
 
 /// Nothing if the body has no shape or no finite box.

@@ -259,7 +259,7 @@ class Watch:
     def last_seen(self):
         """For the report of a failure."""
         if self._last is None:
-            return "no message came; is the topic's name right?"
+            return "no message came; is the topic's name right, and does its publisher run?"
         lost = ['nobody publishes this topic any more'] if self._has_lost_publisher else []
         return '\n'.join(self.told() + lost + self._losses.told() + self.life.told())
 

@@ -83,10 +83,10 @@ class Mover {
     const Bulge of_link = bulge(steps, radius_, distance);
     const double stretch = 2 * std::max(scale - 1, 0.0) * scale * lengths;
     // As far as the link's box at both ends, with its way between.
-    const double reach = largestNorm(boxAt(box_, from).merged(boxAt(box_, to))) + of_link.smooth +
-                         of_link.jump + stretch;
+    const double far_end = largestNorm(boxAt(box_, from).merged(boxAt(box_, to))) + of_link.smooth +
+                           of_link.jump + stretch;
     std::swap(steps.from_link, steps.from_target);
-    return {bulge(steps, std::max(reach, range), distance), of_link, stretch};
+    return {bulge(steps, std::max(far_end, range), distance), of_link, stretch};
   }
 
   const Aabb& box() const { return box_; }

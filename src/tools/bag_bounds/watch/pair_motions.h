@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/bag_bounds/watch/pair_search.h"
+#include "tools/bag_bounds/watch/pair_motion_search.h"
 #include "world/history/way_bound.h"
 #include "world/moment/live_bodies.h"
 #include "world/moment/moment_pairs.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/bag_bounds/watch/pair_search.h"
+#include "tools/bag_bounds/watch/pair_motion_search.h"
 
 #include <algorithm>
 #include <limits>
