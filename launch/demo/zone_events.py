@@ -27,7 +27,8 @@ from demo_arguments import (  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
 QUIET = 10  # PERIODs without a message: then both topics have sent what they know
-APART = 10  # PERIODs within which both topics must once have come equally far
+APART = 30  # PERIODs after which the stamps of both topics must have gone back equally often
+LOST = 10  # PERIODs within which messages of one stamp must once have come equally often
 KEPT = 200  # messages of a topic, for those of the other one that come late
 ALONE = 20  # PERIODs for which nobody publishes a topic
 NEVER = -1  # ns, before each stamp
@@ -58,10 +59,14 @@ class History:
             del self.by_time[next(iter(self.by_time))]
         return self._time()
 
+    def is_behind(self, other):
+        """Or ahead: the stamps have not gone back equally often."""
+        return self._back != other._back
+
     def contradicts(self, other):
         """Once both have sent all: one has lost a message that counts for the times of later ones."""
-        return self._back != other._back or (self._stamp == other._stamp and
-                                             self._before != other._before)
+        return self.is_behind(other) or (self._stamp == other._stamp and
+                                         self._before != other._before)
 
     def begin_anew(self, other):
         """The newest message is as new as that of the other topic, if they have one stamp."""
@@ -123,7 +128,8 @@ class Watch:
             self._quiet += 1
             self._apart += 1
             is_quiet = self._quiet > QUIET and self._boxes.contradicts(self._overlaps)
-            if is_quiet or self._apart > APART:
+            patience = APART if self._boxes.is_behind(self._overlaps) else LOST
+            if is_quiet or self._apart > patience:
                 self._begin_anew()
             outside = set() if self._boxes.contradicts(self._overlaps) else {
                 pair for pair in self._outside if not self._incomplete.intersection(pair)}

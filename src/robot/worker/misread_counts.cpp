@@ -98,14 +98,26 @@ void eachLine(Lines& lines, const std::string& name, std::size_t count, const Ch
   }
 }
 
+bool hasLists(const Elements& elements) {
+  return std::any_of(elements.properties.begin(), elements.properties.end(),
+                     [](const Property& property) { return property.is_list; });
+}
+
 void checkText(Lines& lines, const Elements& elements) {
   eachLine(lines, elements.name, elements.count, [&](Line& line) {
     for (const Property& property : elements.properties) {
       std::size_t count = property.is_list ? line.length(isOfFloats(property.length_type)) : 1;
-      for (; count > 0; --count)
-        line.number();
+      const bool has_indices =
+          property.name.rfind("vertex_ind", 0) == 0 && !isOfFloats(property.type);
+      for (; count > 0; --count) {
+        if (has_indices) {
+          line.index();
+        } else {
+          line.number();
+        }
+      }
     }
-    line.end();
+    if (!hasLists(elements)) line.end();  // colours of faces are not always announced
   });
 }
 
@@ -150,12 +162,9 @@ class Data {
 
 void checkBinary(Data& data, const Elements& elements) {
   std::size_t size = 0;
-  bool has_lists = false;
-  for (const Property& property : elements.properties) {
+  for (const Property& property : elements.properties)
     size += sizeOf(property.type);
-    has_lists = has_lists || property.is_list;
-  }
-  if (!has_lists) return data.skip(elements.count, size);
+  if (!hasLists(elements)) return data.skip(elements.count, size);
   for (std::size_t i = 0; i < elements.count; ++i) {
     for (const Property& property : elements.properties) {
       const std::size_t length = property.is_list ? data.length(property.length_type) : 1;
@@ -167,7 +176,7 @@ void checkBinary(Data& data, const Elements& elements) {
   }
 }
 
-constexpr std::array kPlyWords{"format", "comment", "obj_info", "element", "property"};
+constexpr std::array kPlyWords{"ply", "format", "comment", "obj_info", "element", "property"};
 
 struct PlyHeader {
   std::string format;
@@ -188,8 +197,8 @@ PlyHeader readPlyHeader(Lines& lines) {
         throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
       header.elements.push_back({first, countOf(second), {}});
     }
-    if (inSmallLetters(keyword) == "ply") continue;
-    if (std::find(kPlyWords.begin(), kPlyWords.end(), keyword) == kPlyWords.end())
+    const std::string word = inSmallLetters(keyword);
+    if (std::find(kPlyWords.begin(), kPlyWords.end(), word) == kPlyWords.end())
       throw MeshError(inQuotes(keyword) + " is no word of its header");
     if (keyword != "property" || header.elements.empty()) continue;
     Property property;

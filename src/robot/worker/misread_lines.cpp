@@ -54,8 +54,15 @@ constexpr std::array kObjWords{
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+/// Some exporters write a byte order mark, comments as in C, or an end of file as DOS has it.
 void checkObjWord(std::string_view word, const std::string& place) {
-  if (word.empty() || word[0] == '#' || startsWith(word, std::string(kByteOrderMark) + '#')) return;
+  if (startsWith(word, kByteOrderMark)) {
+    word.remove_prefix(kByteOrderMark.size());
+    if (word == "v" || word == "f")
+      throw MeshError("assimp leaves out " + place +
+                      ", because it begins with a byte order mark; remove that");
+  }
+  if (word.empty() || word[0] == '#' || word == "\x1A" || startsWith(word, "//")) return;
   if (std::find(kObjWords.begin(), kObjWords.end(), word) == kObjWords.end())
     throw MeshError(inQuotes(word) + " is no word of OBJ, in " + place);
 }

@@ -34,8 +34,8 @@ constexpr char kFloat[] = "5126";
 constexpr std::pair<std::string_view, std::size_t> kElementsOfNumbers[] = {
     {"matrix", 16}, {"translate", 3}, {"rotate", 4}, {"scale", 3}, {"lookat", 9}};
 
-/// Assimp reads what is behind an array where an accessor reaches beyond it, and takes the index -1
-/// for 0.
+/// Assimp reads what is behind an array where an accessor reaches beyond it, takes the index -1 for
+/// 0, and x for a coordinate of a position that has no name.
 class ColladaCheck {
  public:
   void run(XmlTags tags) {
@@ -48,6 +48,8 @@ class ColladaCheck {
     }
     for (const auto& [source, end] : ends_)
       checkEnd(source, end);
+    for (const std::string& source : positions_)
+      checkPosition(source);
   }
 
  private:
@@ -58,8 +60,13 @@ class ColladaCheck {
       if (meter) requireNumber(Words(*meter).next(), "the meter of its <unit>");
       if (name == "float_array") noteArray(tags);
       if (name == "accessor") noteAccessor(tags);
-      if (name == "param") ++params_;
+      if (name == "param") noteParam(tags);
+      if (name == "source") source_ = tags.attribute("id").value_or("");
+      if (name == "input" && tags.attribute("semantic") == "POSITION")
+        positions_.insert(withoutHash(tags.attribute("source").value_or("")));
+      if (name == "extra") ++extras_;
     }
+    if (tags.isEnd() && name == "extra") --extras_;
     if (tags.isEnd() && name == "accessor" && !ends_.empty() && has_items_)
       ends_.back().second += params_;
   }
@@ -75,12 +82,22 @@ class ColladaCheck {
 
   void noteAccessor(const XmlTags& tags) {
     const auto source = tags.attribute("source");
+    coordinates_[source_];
     const double last = numberOf(tags, "count", 0) - 1;
     params_ = 0;
     has_items_ = source && last >= 0;
     if (!has_items_) return;
     const double begin = numberOf(tags, "offset", 0) + last * numberOf(tags, "stride", 1);
-    ends_.emplace_back(source->substr(source->find('#') + 1), begin);
+    ends_.emplace_back(withoutHash(*source), begin);
+  }
+
+  void noteParam(const XmlTags& tags) {
+    ++params_;
+    coordinates_[source_].insert(std::string(tags.attribute("name").value_or("")));
+  }
+
+  static std::string withoutHash(std::string_view reference) {
+    return std::string(reference.substr(reference.find('#') + 1));
   }
 
   /// How many numbers an element holds; nothing for others.
@@ -97,10 +114,18 @@ class ColladaCheck {
     const std::string text = tags.text();
     Words words(text);
     const std::string place = "the <" + std::string(tags.name()) + "> of " + tags.place();
-    if (count && static_cast<double>(words.countNumbers(place)) > *count)
+    if (count && static_cast<double>(words.countNumbers(place)) > *count && extras_ == 0)
       throw MeshError("it has too many numbers in " + place);
     for (auto word = words.next(); !word.empty(); word = words.next())
       requireIndex(word, place);
+  }
+
+  void checkPosition(const std::string& source) const {
+    const auto found = coordinates_.find(source);
+    if (found == coordinates_.end()) return;
+    for (const char* const name : {"X", "Y", "Z"})
+      if (found->second.count(name) == 0)
+        throw MeshError("the accessor of its positions has no param \"" + std::string(name) + "\"");
   }
 
   void checkEnd(const std::string& source, double end) const {
@@ -118,11 +143,15 @@ class ColladaCheck {
     return std::strtod(word.c_str(), nullptr);
   }
 
-  double array_size_ = 0;                             ///< of the last array
-  std::map<std::string, double> sizes_;               ///< of arrays, by id; the smallest counts
-  std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
-  double params_ = 0;                                 ///< of the last accessor
-  bool has_items_ = false;                            ///< it has
+  int extras_ = 0;                       ///< open <extra>, whose elements may have other meanings
+  double array_size_ = 0;                ///< of the last array
+  std::map<std::string, double> sizes_;  ///< of arrays, by id; the smallest counts
+  std::vector<std::pair<std::string, double>> ends_;          ///< of accessors
+  double params_ = 0;                                         ///< of the last accessor
+  std::string source_;                                        ///< id of the last one
+  std::map<std::string, std::set<std::string>> coordinates_;  ///< params of accessors, by sources
+  std::set<std::string> positions_;                           ///< ids of sources
+  bool has_items_ = false;                                    ///< it has
 };
 
 [[noreturn]] void refuseExtension(const std::string& name) {

@@ -474,6 +474,7 @@ WayBoxes wayBoxes(
     if (body.frame) way = ways.find(body);
     if (way.is_placed) {
       box = box_of(body, way);
+      if (box && !(box->min().allFinite() && box->max().allFinite())) box.reset();
       if (!box) way.problem = "its box is too large for numbers";
     }
     if (body.frame && !way.has_pose) result.have_poses = false;

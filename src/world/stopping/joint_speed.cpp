@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace link_bounds {
 namespace {
@@ -32,6 +33,11 @@ void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nan
   const double shortest = time > 2 * kStampRounding ? time - kStampRounding : time / 2;
   const double error = longest / shortest - std::abs(difference) / time;
   const double mean = difference / time;
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(mean) || !std::isfinite(error)) {
+    speed = {-kInfinite, kInfinite};
+    return;
+  }
   speed.lower = is_first ? mean - error : std::min(speed.lower, mean - error);
   speed.upper = is_first ? mean + error : std::max(speed.upper, mean + error);
 }

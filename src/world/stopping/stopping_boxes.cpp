@@ -3,10 +3,13 @@
 // Joints that cannot move are left out.
 #include "world/stopping/stopping_boxes.h"
 
+#include <cmath>
+
 namespace link_bounds {
 namespace {
 
-std::vector<MovingJoint> stoppingJoints(const BodyWay& way, const StopRules& rules) {
+/// Nothing if a number is too large.
+std::optional<std::vector<MovingJoint>> stoppingJoints(const BodyWay& way, const StopRules& rules) {
   std::vector<MovingJoint> result;
   for (const WayJoint& joint : way.joints) {
     MovingJoint moving = joint.place;
@@ -15,6 +18,9 @@ std::vector<MovingJoint> stoppingJoints(const BodyWay& way, const StopRules& rul
       const SpeedRange speed = speedAtStamp(joint.state, rule.braking.acceleration);
       moving.offsets =
           withinLimits(stopOffsets(speed, rule.braking, rules.reaction()), rule, joint.state);
+      for (const double number :
+           {speed.lower, speed.upper, moving.offsets.lower, moving.offsets.upper})
+        if (!std::isfinite(number)) return std::nullopt;
       if (moving.offsets.lower == 0 && moving.offsets.upper == 0) continue;
     }
     result.push_back(moving);
@@ -26,9 +32,12 @@ std::vector<MovingJoint> stoppingJoints(const BodyWay& way, const StopRules& rul
 
 WayBoxes stoppingBoxes(PastScene& scene, const StopRules& rules, const JointStates* states) {
   BodyWays ways(scene, rules, WayPurpose::kStandstill, states);
-  return wayBoxes(scene, ways, [&rules](const PastBody& body, const BodyWay& way) {
-    return boxOfMoving(*body.bounded, way.pose, stoppingJoints(way, rules));
-  });
+  return wayBoxes(scene, ways,
+                  [&rules](const PastBody& body, const BodyWay& way) -> std::optional<Aabb> {
+                    const auto joints = stoppingJoints(way, rules);
+                    if (!joints) return std::nullopt;
+                    return boxOfMoving(*body.bounded, way.pose, *joints);
+                  });
 }
 
 }  // namespace link_bounds

@@ -244,6 +244,16 @@ TEST(ImportDae, MoreNumbersThanThereAreIsRefused) {
     expectRefusedDae(dae(kMetres, node(begin + numbers + end + kInstance)),
                      std::string("too many numbers in the <") + name + ">");
   }
+  const std::string extra =
+      "<extra><technique profile='X'><scale>1 2 3 4</scale></technique></extra>";
+  EXPECT_EQ(importDae(dae(kMetres, node(kInstance + extra))).triangles.size(), 4u);
+}
+
+/// Assimp takes x for it.
+TEST(ImportDae, APositionWithoutACoordinateIsRefused) {
+  for (const char* const param : {"", "<param type='float'/>", "<param name='z' type='float'/>"})
+    expectRefusedDae(daeWith("<param name='Z' type='float'/>", param),
+                     "accessor of its positions has no param \"Z\"");
 }
 
 TEST(ImportDae, ANegativeIndexIsRefused) {

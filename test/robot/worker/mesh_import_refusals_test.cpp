@@ -67,7 +67,7 @@ TEST_F(ImportRefusals, AnIndexOfNoVertex) {
   EXPECT_EQ(import("good.ply", ply("3 0 1 2")).triangles.size(), 1u);
   expectRefused("a.ply", ply("3 0 1 3"), "face 0 names vertex 3 of 3");
   expectRefused("a.ply", ply("3 0 1 1000000000"), "face 0 names");
-  expectRefused("a.ply", ply("3 0 1 -1"), "face 0 names");
+  expectRefused("a.ply", ply("3 0 1 -1"), "\"-1\" is no index of a vertex");
   expectRefused("a.ply", ply("5 0 1 2 0 7"), "face 0 names vertex 7 of 3");
 }
 
@@ -177,7 +177,8 @@ TEST_F(ImportRefusals, ADamagedPlyText) {
   expect("property float z", std::string(16, '\0'), "is no word of its header");
   expect("property float z\n", "", "its vertices have no property z");
   expect("1 0 0", "1 0 0.5 5", "too many numbers in line 1 of vertex");
-  expect("3 0 1 2", "3 0 1 2 2", "too many numbers in line 0 of face");
+  expect("3 0 1 2", "3 0 1 2.5", "\"2.5\" is no index of a vertex");
+  EXPECT_EQ(import("a.ply", ply("3 0 1 2 255 0 0")).triangles.size(), 1u) << "with a colour";
 }
 
 TEST_F(ImportRefusals, ADamagedObj) {
@@ -189,10 +190,13 @@ TEST_F(ImportRefusals, ADamagedObj) {
     EXPECT_EQ(triangles(std::string(face) + "\n"), 2u) << face;
   for (const char* const other : {"s off", "usemtl a", "g", "vp 1 2", "# any words", "\t", "o x y"})
     EXPECT_EQ(triangles(std::string("f 1 2 4\n") + other + "\n"), 2u) << other;
-  EXPECT_EQ(import("a.obj", "\xEF\xBB\xBF# made by hand\n" + vertices).triangles.size(), 1u);
+  for (const char* const first : {"\xEF\xBB\xBF# made by hand\n", "\xEF\xBB\xBFmtllib a.mtl\n",
+                                  "\xEF\xBB\xBF\n", "// made by hand\n"})
+    EXPECT_EQ(import("a.obj", first + vertices + "\x1A").triangles.size(), 1u) << first;
   expectRefused("a.obj", vertices + "F 1 2 4\n", "\"F\" is no word of OBJ, in line 6");
   expectRefused("a.obj", vertices + "x 1 2 4\n", "is no word of OBJ");
-  expectRefused("a.obj", "\xEF\xBB\xBF" + vertices, "is no word of OBJ, in line 1");
+  expectRefused("a.obj", "\xEF\xBB\xBF" + vertices,
+                "line 1, because it begins with a byte order mark");
   expectRefused("a.obj", vertices + "f 1 /2 4\n", "\"/2\" is no corner, in line 6");
   expectRefused("a.obj", vertices + "f +1 2 4\n", "is no corner");
   expectRefused("a.obj", vertices + "f 1 2 a4\n", "is no corner");

@@ -185,6 +185,26 @@ TEST(StoppingBoxes, SlowMotionFarAwayIsNoRounding) {
   }
 }
 
+/// Its speed, its way or the box is too large for a number.
+TEST(StoppingBoxes, AJumpTooLargeForNumbersIsTold) {
+  for (const double far : {1e153, 1e200, 1.7e308}) {
+    Parameters parameters = goodParameters();
+    parameters.deceleration = {{"slide", 5}};
+    MovingRobot robot(R"(<robot name="r"><link name="base"/>
+        <link name="arm"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>
+        <joint name="slide" type="prismatic"><parent link="base"/><child link="arm"/>
+          <axis xyz="1 0 0"/><limit lower="-1.7e308" upper="1.7e308" effort="1" velocity="1"/>
+        </joint></robot>)",
+                      parameters);
+    for (int i = 10; i >= 0; --i)
+      robot.send(kStamp - i / kRate, {i == 1 ? far : 0});
+    const WayBoxes found = robot.stopping();
+    EXPECT_EQ(found.moment->incomplete, Names{"arm"}) << far;
+    EXPECT_TRUE(found.moment->bodies.empty()) << far;
+    EXPECT_NE(found.problem.find("too large for numbers"), std::string::npos) << found.problem;
+  }
+}
+
 /// How far down a slide that rises through 0.1175 m may go.
 double lowestOfSlide(const std::string& limits) {
   Parameters parameters = goodParameters();
