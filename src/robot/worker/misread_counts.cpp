@@ -42,7 +42,7 @@ bool isOfFloats(const std::string& type) {
 std::size_t sizeOf(const std::string& type) {
   for (const auto& [name, size] : kSizes)
     if (type == name) return size;
-  throw MeshError("a property has the unknown type \"" + type + "\"");
+  throw MeshError("a property has the unknown type " + inQuotes(type));
 }
 
 [[noreturn]] void refuseRest() {
@@ -54,7 +54,7 @@ std::size_t lengthOf(std::string_view word, bool is_float, const std::string& pl
   const double number = isNumber(word) ? std::strtod(std::string(word).c_str(), nullptr) : -1;
   if (number >= 0 && number < 1e9 && (is_float || isIndex(word)))
     return static_cast<std::size_t>(number);
-  throw MeshError("\"" + std::string(word) + "\" is no number of corners, in " + place);
+  throw MeshError(inQuotes(word) + " is no number of corners, in " + place);
 }
 
 /// A line of a text. Words that follow may be a colour.
@@ -210,14 +210,16 @@ PlyHeader readPlyHeader(Lines& lines) {
   }
 }
 
-/// Assimp takes 0 for one that is missing.
+/// Assimp takes 0 for one that is missing, and the last of two.
 void checkCoordinates(const PlyHeader& header) {
   for (const Elements& elements : header.elements) {
     const auto& properties = elements.properties;
     for (const char* const name : {"x", "y", "z"}) {
       const auto is_it = [&](const Property& property) { return property.name == name; };
-      if (elements.name == "vertex" && std::none_of(properties.begin(), properties.end(), is_it))
-        throw MeshError(std::string("its vertices have no property ") + name);
+      const auto count = std::count_if(properties.begin(), properties.end(), is_it);
+      if (elements.name == "vertex" && count != 1)
+        throw MeshError("its vertices have " + std::string(count == 0 ? "no" : "more than one") +
+                        " property " + name);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -64,18 +65,23 @@ class ColladaCheck {
       if (name == "source") source_ = tags.attribute("id").value_or("");
       if (name == "input" && tags.attribute("semantic") == "POSITION")
         positions_.insert(withoutHash(tags.attribute("source").value_or("")));
-      if (name == "extra") ++extras_;
+      if (isOther(name)) ++others_;
     }
-    if (tags.isEnd() && name == "extra") --extras_;
+    if (tags.isEnd() && isOther(name)) --others_;
     if (tags.isEnd() && name == "accessor" && !ends_.empty() && has_items_)
       ends_.back().second += params_;
   }
 
+  /// Elements in it may have other meanings, or say nothing of geometry.
+  static bool isOther(std::string_view element) {
+    return element == "extra" || element == "library_animations";
+  }
+
   void noteArray(const XmlTags& tags) {
-    array_size_ = numberOf(tags, "count", 0);
+    array_size_ = numberOf(tags, "count", std::numeric_limits<double>::infinity());
     const auto id = tags.attribute("id");
     if (!id) return;
-    const double size = array_size_;
+    const double size = numberOf(tags, "count", 0);
     const auto [entry, is_new] = sizes_.try_emplace(std::string(*id), size);
     if (!is_new) entry->second = std::min(entry->second, size);
   }
@@ -114,7 +120,7 @@ class ColladaCheck {
     const std::string text = tags.text();
     Words words(text);
     const std::string place = "the <" + std::string(tags.name()) + "> of " + tags.place();
-    if (count && static_cast<double>(words.countNumbers(place)) > *count && extras_ == 0)
+    if (count && static_cast<double>(words.countNumbers(place)) > *count && others_ == 0)
       throw MeshError("it has too many numbers in " + place);
     for (auto word = words.next(); !word.empty(); word = words.next())
       requireIndex(word, place);
@@ -143,12 +149,12 @@ class ColladaCheck {
     return std::strtod(word.c_str(), nullptr);
   }
 
-  int extras_ = 0;                       ///< open <extra>, whose elements may have other meanings
-  double array_size_ = 0;                ///< of the last array
-  std::map<std::string, double> sizes_;  ///< of arrays, by id; the smallest counts
-  std::vector<std::pair<std::string, double>> ends_;          ///< of accessors
-  double params_ = 0;                                         ///< of the last accessor
-  std::string source_;                                        ///< id of the last one
+  int others_ = 0;                                    ///< open elements of isOther()
+  double array_size_ = 0;                             ///< of the last array
+  std::map<std::string, double> sizes_;               ///< of arrays, by id; the smallest counts
+  std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
+  double params_ = 0;                                 ///< of the last accessor
+  std::string source_;                                ///< id of the last one
   std::map<std::string, std::set<std::string>> coordinates_;  ///< params of accessors, by sources
   std::set<std::string> positions_;                           ///< ids of sources
   bool has_items_ = false;                                    ///< it has

@@ -82,7 +82,7 @@ std::optional<std::int64_t> earliestContact(const ContactReach& a, const Contact
                                             double distance, std::int64_t end) {
   const std::size_t shared = sharedJoints(a, b);
   const auto can_touch = [&](std::int64_t time) {
-    return a.until(time, shared) + b.until(time, shared) >= distance;
+    return !(a.until(time, shared) + b.until(time, shared) < distance);  // nor NaN
   };
   const bool a_moves = a.steps_.size() > shared;
   const bool b_moves = b.steps_.size() > shared;

@@ -176,6 +176,7 @@ TEST_F(ImportRefusals, ADamagedPlyText) {
   expect("property float z", "properperty float z", "\"properperty\" is no word of its header");
   expect("property float z", std::string(16, '\0'), "is no word of its header");
   expect("property float z\n", "", "its vertices have no property z");
+  expect("property float y", "property float x", "more than one property x");
   expect("1 0 0", "1 0 0.5 5", "too many numbers in line 1 of vertex");
   expect("3 0 1 2", "3 0 1 2.5", "\"2.5\" is no index of a vertex");
   EXPECT_EQ(import("a.ply", ply("3 0 1 2 255 0 0")).triangles.size(), 1u) << "with a colour";
