@@ -126,8 +126,9 @@ class Watch:
         """Reports who leaves; to be called every PERIOD."""
         with self._lock:
             self._quiet += 1
-            self._apart += 1
-            is_quiet = self._quiet > QUIET and self._boxes.contradicts(self._overlaps)
+            contradict = self._boxes.contradicts(self._overlaps)
+            self._apart = self._apart + 1 if contradict else 0
+            is_quiet = self._quiet > QUIET and contradict
             patience = APART if self._boxes.is_behind(self._overlaps) else LOST
             if is_quiet or self._apart > patience:
                 self._begin_anew()

@@ -135,7 +135,7 @@ class ClockTest(unittest.TestCase):
             def has_boxes():
                 tick = next(ticks)
                 send(begin + 0.01 * tick, 0.001 * tick)
-                if begin < self.now and tick < 50:  # of before the jump
+                if begin < self.now and tick < 50:  # its stamp is before the jump
                     report(self.now + 1, 0.1)
                 return tick > 60 and len(boxes_since(begin)) > 10
             wait_for(has_boxes, "boxes from %g s on" % begin)
