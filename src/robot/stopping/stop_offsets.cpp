@@ -4,6 +4,8 @@
 #include "robot/stopping/stop_offsets.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "robot/urdf/rounding.h"
 
@@ -29,18 +31,24 @@ Drive speedingUp(double speed, const Braking& braking, double time) {
   const double ramp = is_at_once ? 0 : std::min(time, rise / *braking.acceleration);
   const double gain = is_at_once ? rise : std::min(rise, *braking.acceleration * ramp);
   const double end = start + gain;
-  return {(start + end) / 2 * ramp + end * (time - ramp), end};
+  return {(start / 2 + end / 2) * ramp + end * (time - ramp), end};
+}
+
+/// At least 0; infinite where the numbers are too large.
+double rounded(double path) {
+  if (std::isnan(path)) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, path) * (1 + kFormulaRounding);
 }
 
 double farthest(double speed, const Braking& braking, const Reaction& reaction) {
   const auto [path, end] = reaction.may_speed_up ? speedingUp(speed, braking, reaction.time)
                                                  : keepingSpeed(speed, reaction.time);
   const double braked = end > 0 ? end * end / (2 * braking.deceleration) : 0;
-  return std::max(0.0, path + braked) * (1 + kFormulaRounding);
+  return rounded(path + braked);
 }
 
 double farthestTravel(double speed, const Braking& braking, double time) {
-  return speedingUp(speed, braking, time).path * (1 + kFormulaRounding);
+  return rounded(speedingUp(speed, braking, time).path);
 }
 
 }  // namespace

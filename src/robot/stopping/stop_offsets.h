@@ -37,6 +37,7 @@ struct Reaction {
 };
 
 /// How far the joint may be from where it is until it stands [rad or m]: lower <= 0 <= upper.
+/// Infinite where a number is too large, and never NaN.
 Limits stopOffsets(const SpeedRange& speed, const Braking& braking, const Reaction& reaction);
 
 /// How far it may be from where it is at any moment until `time` has passed [s], if nobody brakes:

@@ -4,7 +4,9 @@
 #include "robot/worker/mesh_text.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 
 namespace link_bounds {
 namespace {
@@ -152,7 +154,8 @@ bool isNumber(std::string_view word) {
 }
 
 bool isIndex(std::string_view word) {
-  return !word.empty() && std::all_of(word.begin(), word.end(), isDigit);
+  return !word.empty() && std::all_of(word.begin(), word.end(), isDigit) &&
+         countOf(word) <= std::numeric_limits<std::int32_t>::max();
 }
 
 std::size_t countOf(std::string_view word) {

@@ -85,6 +85,7 @@ class Words {
 /// decimal comma.
 bool isNumber(std::string_view word);
 
+/// Assimp reads larger ones as smaller ones.
 bool isIndex(std::string_view word);
 
 /// 0 for what is none.

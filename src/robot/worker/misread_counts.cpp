@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -72,7 +73,7 @@ class Line {
   void end() {
     if (!words_.next().empty()) throw MeshError("it has too many numbers in " + place_);
   }
-  void allNumbers() { words_.countNumbers(place_, '#'); }
+  std::size_t allNumbers(char comment = '\0') { return words_.countNumbers(place_, comment); }
   const std::string& place() const { return place_; }
 
  private:
@@ -103,7 +104,10 @@ bool hasLists(const Elements& elements) {
                      [](const Property& property) { return property.is_list; });
 }
 
+/// Colours of faces are not always announced. They are in all lines or in none, so that a face that
+/// has lost corners is noticed by what is left of them.
 void checkText(Lines& lines, const Elements& elements) {
+  std::optional<std::size_t> colours;
   eachLine(lines, elements.name, elements.count, [&](Line& line) {
     for (const Property& property : elements.properties) {
       std::size_t count = property.is_list ? line.length(isOfFloats(property.length_type)) : 1;
@@ -117,7 +121,11 @@ void checkText(Lines& lines, const Elements& elements) {
         }
       }
     }
-    if (!hasLists(elements)) line.end();  // colours of faces are not always announced
+    if (!hasLists(elements)) return line.end();
+    const std::size_t rest = line.allNumbers();
+    if (rest != colours.value_or(rest))
+      throw MeshError("more or fewer numbers than before follow the corners in " + line.place());
+    colours = rest;
   });
 }
 
@@ -265,7 +273,7 @@ void checkOff(Lines& lines) {
     if (counts.size() == wanted) break;
   }
   if (counts.size() < wanted) return;
-  eachLine(lines, "vertices", counts[wanted - 3], [](Line& line) { line.allNumbers(); });
+  eachLine(lines, "vertices", counts[wanted - 3], [](Line& line) { line.allNumbers('#'); });
   eachLine(lines, "faces", counts[wanted - 2], [](Line& line) {
     const std::size_t length = line.length(false);
     if (length > kMaxCornersInOff) {

@@ -36,7 +36,8 @@ constexpr std::pair<std::string_view, std::size_t> kElementsOfNumbers[] = {
     {"matrix", 16}, {"translate", 3}, {"rotate", 4}, {"scale", 3}, {"lookat", 9}};
 
 /// Assimp reads what is behind an array where an accessor reaches beyond it, takes the index -1 for
-/// 0, and x for a coordinate of a position that has no name.
+/// 0, and x for a coordinate of a position that has no name. Where a position has more coordinates
+/// than the stride, it takes those of the next one.
 class ColladaCheck {
  public:
   void run(XmlTags tags) {
@@ -93,7 +94,9 @@ class ColladaCheck {
     params_ = 0;
     has_items_ = source && last >= 0;
     if (!has_items_) return;
-    const double begin = numberOf(tags, "offset", 0) + last * numberOf(tags, "stride", 1);
+    const double stride = numberOf(tags, "stride", 1);
+    if (others_ == 0) strides_[source_] = stride;
+    const double begin = numberOf(tags, "offset", 0) + last * stride;
     ends_.emplace_back(withoutHash(*source), begin);
   }
 
@@ -132,6 +135,9 @@ class ColladaCheck {
     for (const char* const name : {"X", "Y", "Z"})
       if (found->second.count(name) == 0)
         throw MeshError("the accessor of its positions has no param \"" + std::string(name) + "\"");
+    const auto stride = strides_.find(source);
+    if (stride != strides_.end() && stride->second < 3)
+      throw MeshError("the accessor of its positions has a stride below 3");
   }
 
   void checkEnd(const std::string& source, double end) const {
@@ -156,6 +162,7 @@ class ColladaCheck {
   double params_ = 0;                                 ///< of the last accessor
   std::string source_;                                ///< id of the last one
   std::map<std::string, std::set<std::string>> coordinates_;  ///< params of accessors, by sources
+  std::map<std::string, double> strides_;                     ///< of accessors, by sources
   std::set<std::string> positions_;                           ///< ids of sources
   bool has_items_ = false;                                    ///< it has
 };

@@ -14,7 +14,7 @@ void JointStates::add(const std::string& joint, const JointReport& report) {
   if (report.stamp <= 0 || !std::isfinite(report.position)) return;
   if (joints_.size() >= kMaxJoints && joints_.count(joint) == 0) return;
   JointReport kept = report;
-  if (kept.velocity && !std::isfinite(*kept.velocity)) kept.velocity.reset();
+  if (kept.velocity && !(std::abs(*kept.velocity) <= kMaxVelocity)) kept.velocity.reset();
   History& history = joints_[joint];
   const std::int64_t newest = history.reports.empty() ? 0 : history.reports.rbegin()->first;
   if (kept.stamp >= newest - EdgeHistory::kLength) {

@@ -21,8 +21,8 @@ struct JointReport {
 /// Messages may come in any order.
 class JointStates {
  public:
-  /// What is not finite and what has no stamp is ignored, and so are further joints beyond
-  /// kMaxJoints. A stamp of long before the newest one of the joint is a fault or of a second
+  /// What is not finite and what has no stamp is ignored, and so are velocities beyond kMaxVelocity
+  /// and further joints beyond kMaxJoints. A stamp of long before the newest one of the joint is a fault or of a second
   /// publisher, and is ignored. kJump of them in a row mean that time jumped back: then all else is
   /// forgotten of the joint. Others may have a publisher whose clock is right.
   void add(const std::string& joint, const JointReport& report);
@@ -40,6 +40,9 @@ class JointStates {
 
   /// The last report before that stamp, if it is at most a second older.
   std::optional<JointReport> lastBefore(const std::string& joint, std::int64_t stamp) const;
+
+  /// [rad/s or m/s] So that sums of them are finite.
+  static constexpr double kMaxVelocity = 1e100;
 
   /// A publisher may invent names without end.
   static constexpr std::size_t kMaxJoints = 10'000;

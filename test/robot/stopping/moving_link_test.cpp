@@ -151,6 +151,27 @@ TEST(StopOffsets, AreTheFormulasOfTheHeader) {
   near(stopOffsets({5, 5}, slow, {0.1, true}), -0.02 - 0.16 / 4, 0.5 + 25.0 / 4);
 }
 
+/// A driver may send any number as a velocity.
+TEST(StopOffsets, OfTheLargestSpeedsAreNoSmaller) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const Braking slow{2, 4, 3};
+  const Braking fast{2, 4, kLargest};
+  for (const Braking& braking : {slow, fast}) {
+    for (const double speed : {8e307, 9.5e307, kLargest}) {
+      for (const double time : {0.0, 0.1, 1.0, 100.0}) {
+        for (const bool may_speed_up : {false, true}) {
+          const Limits stop = stopOffsets({-speed, speed}, braking, {time, may_speed_up});
+          EXPECT_GE(stop.upper, 1e307);
+          EXPECT_LE(stop.lower, -1e307);
+        }
+        const Limits travel = travelOffsets({-speed, speed}, braking, time);
+        EXPECT_GE(travel.upper, speed * time);
+        EXPECT_LE(travel.lower, -speed * time);
+      }
+    }
+  }
+}
+
 TEST(JointFit, FindsTheValueOfEachType) {
   Random random(3);
   for (int i = 0; i < 1000; ++i) {

@@ -256,6 +256,12 @@ TEST(ImportDae, APositionWithoutACoordinateIsRefused) {
                      "accessor of its positions has no param \"Z\"");
 }
 
+/// Assimp would read numbers of the next position.
+TEST(ImportDae, AStrideBelowThreeIsRefused) {
+  for (const char* const stride : {"", "stride='1'", "stride='2'", "stride='0'"})
+    expectRefusedDae(daeWith("stride='3'", stride), "a stride below 3");
+}
+
 TEST(ImportDae, ANegativeIndexIsRefused) {
   EXPECT_EQ(importDae(daeWith("0 2 1 0 1 3", "<!-- -1 -->0 2 1 0 1 3")).triangles.size(), 4u);
   expectRefusedDae(daeWith("0 2 1 0 1 3", "<![CDATA[0 2 1 0 1 -1 ]]>"), "\"-1\" is no index");

@@ -69,6 +69,7 @@ TEST_F(ImportRefusals, AnIndexOfNoVertex) {
   expectRefused("a.ply", ply("3 0 1 1000000000"), "face 0 names");
   expectRefused("a.ply", ply("3 0 1 -1"), "\"-1\" is no index of a vertex");
   expectRefused("a.ply", ply("5 0 1 2 0 7"), "face 0 names vertex 7 of 3");
+  expectRefused("a.ply", ply("3 0 1 4294967298"), "\"4294967298\" is no index of a vertex");
 }
 
 TEST_F(ImportRefusals, AnIndexOfNoVertexInOtherFormats) {
@@ -179,7 +180,18 @@ TEST_F(ImportRefusals, ADamagedPlyText) {
   expect("property float y", "property float x", "more than one property x");
   expect("1 0 0", "1 0 0.5 5", "too many numbers in line 1 of vertex");
   expect("3 0 1 2", "3 0 1 2.5", "\"2.5\" is no index of a vertex");
-  EXPECT_EQ(import("a.ply", ply("3 0 1 2 255 0 0")).triangles.size(), 1u) << "with a colour";
+}
+
+/// A quad whose 4 became a 3 looks like a triangle with a colour.
+TEST_F(ImportRefusals, APlyFaceThatLostCorners) {
+  std::string two = kPlyOfAFace;
+  two.replace(two.find("face 1"), 6, "face 2");
+  const auto faces = [&](const std::string& text) {
+    return two + "0 0 0\n1 0 0\n0 1 0\n" + text + "\n";
+  };
+  EXPECT_EQ(import("a.ply", faces("3 0 1 2 255 0 0\n3 0 2 1 0 0 9")).triangles.size(), 2u);
+  expectRefused("a.ply", faces("4 0 1 2 0\n3 0 2 1 0"), "follow the corners in line 1 of face");
+  expectRefused("a.ply", faces("3 0 2 1 0\n4 0 1 2 0"), "follow the corners in line 1 of face");
 }
 
 TEST_F(ImportRefusals, ADamagedObj) {
