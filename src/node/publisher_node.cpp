@@ -192,17 +192,14 @@ void PublisherNode::callWaiting() {
 
 template <class Message, class Take>
 ros::Subscriber PublisherNode::subscribe(const TopicName& topic, std::uint32_t size, Take take) {
-  using Event = ros::MessageEvent<Received<Message>>;
-  return private_node_.subscribe<Received<Message>, const Event&>(
-      privateName(topic), size,
-      [this, &topic, take](const Event& event) {
+  return subscribeReceived<Message>(
+      private_node_, privateName(topic), size, [this, &topic, take](const auto& event) {
         guardMessage([&] {
           const auto message = event.getMessage();
           const std::string& sender = event.getPublisherName();
           if (incomplete_messages_.accept(*message, topic.name, sender)) take(*message, sender);
         });
-      },
-      {}, ros::TransportHints().tcpNoDelay());
+      });
 }
 
 void PublisherNode::subscribeToObjects() {
@@ -213,11 +210,9 @@ void PublisherNode::subscribeToObjects() {
   object_subscriber_ = subscribe<Marker>(
       kObjectTopic, kObjectQueue,
       [this](auto& message, const std::string& sender) { onMarkers(&message, 1, sender); });
-  neighbours_subscriber_ =
-      private_node_.subscribe<Received<AxisAlignedBoxArray>, const NeighbourEvent&>(
-          privateName(kNeighboursTopic), kObjectsQueue,
-          [this](const NeighbourEvent& event) { guardMessage([&] { onNeighbour(event); }); }, {},
-          ros::TransportHints().tcpNoDelay());
+  neighbours_subscriber_ = subscribeReceived<AxisAlignedBoxArray>(
+      private_node_, privateName(kNeighboursTopic), kObjectsQueue,
+      [this](const NeighbourEvent& event) { guardMessage([&] { onNeighbour(event); }); });
 }
 
 void PublisherNode::adopt(ModelLoader::ModelPtr model) {

@@ -48,7 +48,7 @@ class PublisherNode {
  private:
   using Marker = visualization_msgs::Marker;
   /// Not const: as the only reader of the topic the node may take points out of the message.
-  using NeighbourEvent = ros::MessageEvent<const Received<AxisAlignedBoxArray>>;
+  using NeighbourEvent = ros::MessageEvent<Received<AxisAlignedBoxArray>>;
 
   /// Runs a callback that is not that of a message: it finds the scene up to date. Records how long
   /// it takes.

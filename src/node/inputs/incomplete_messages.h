@@ -4,10 +4,14 @@
 // messages of strangers, or to serve their requests, and who looks at them.
 #pragma once
 
+#include <ros/message_event.h>
 #include <ros/message_traits.h>
+#include <ros/node_handle.h>
 #include <ros/service_traits.h>
 
+#include <cstdint>
 #include <string>
+#include <utility>
 
 #include "node/inputs/checked_stream.h"
 #include "world/log/refusal_log.h"
@@ -20,6 +24,15 @@ template <class Message>
 struct Received : Message {
   bool is_complete = true;  ///< if not, the message is empty; see IncompleteMessages
 };
+
+/// Calls take(event) for each message on `topic`, on the thread of the node's queue. `queue` is how
+/// many wait for it at most.
+template <class Message, class Take>
+ros::Subscriber subscribeReceived(ros::NodeHandle& node, const std::string& topic,
+                                  std::uint32_t queue, Take take) {
+  return node.subscribe<Received<Message>, const ros::MessageEvent<Received<Message>>&>(
+      topic, queue, std::move(take), {}, ros::TransportHints().tcpNoDelay());
+}
 
 /// Of one thread.
 class IncompleteMessages {

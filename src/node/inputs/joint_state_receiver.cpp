@@ -26,9 +26,8 @@ JointStateReceiver::JointStateReceiver() {
 
 const JointStates& JointStateReceiver::read(std::uint64_t epoch) {
   if (!subscriber_) {
-    subscriber_ = node_.subscribe<Received<sensor_msgs::JointState>, const Event&>(
-        kJointStatesTopic.name, kJointQueue, [this](const Event& event) { take(event); }, {},
-        ros::TransportHints().tcpNoDelay());
+    subscriber_ = subscribeReceived<sensor_msgs::JointState>(
+        node_, kJointStatesTopic.name, kJointQueue, [this](const Event& event) { take(event); });
   }
   clock_.observe(ros::Time::now());
   queue_.callAvailable();

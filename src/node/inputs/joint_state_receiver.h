@@ -31,7 +31,7 @@ class JointStateReceiver {
   void rest();
 
  private:
-  using Event = ros::MessageEvent<const Received<sensor_msgs::JointState>>;
+  using Event = ros::MessageEvent<Received<sensor_msgs::JointState>>;
 
   void take(const Event& event);
 

@@ -55,42 +55,45 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
       tf_receiver_(node_, [this](const TfReceiver::Event& event, bool is_static) {
         guarded([&] { completed([&] { onTransforms(event, is_static); }); });
       }) {
-  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
-  using CloudEvent = ros::MessageEvent<Cloud>;
-  using ScanEvent = ros::MessageEvent<Scan>;
-  cloud_subscriber_ = private_node_.subscribe<Cloud, const CloudEvent&>(
-      privateName(kCloudTopic), kQueue,
-      [this](const CloudEvent& event) {
+  subscribe();
+  loading_ = std::make_unique<Loading>(kFilterReload, node_, private_node_, queue_,
+                                       handlers(std::move(on_failure)));
+  held_ = std::make_unique<HeldObjects>(private_node_, tf_, loading_->worker(), queue_,
+                                        [this] { listBodies(); });
+}
+
+void CloudFilterNode::subscribe() {
+  cloud_subscriber_ = subscribeReceived<sensor_msgs::PointCloud2>(
+      private_node_, privateName(kCloudTopic), kQueue, [this](const auto& event) {
         guarded([&] {
           const auto cloud = event.getMessage();
           ++clouds_taken_;
           if (isComplete(*cloud, kCloudTopic.name, event.getPublisherName()))
             add({cloud, nullptr, queue_.arrival()});
         });
-      },
-      {}, no_delay);
-  scan_subscriber_ = private_node_.subscribe<Scan, const ScanEvent&>(
-      privateName(kScanTopic), kQueue,
-      [this](const ScanEvent& event) {
+      });
+  scan_subscriber_ = subscribeReceived<sensor_msgs::LaserScan>(
+      private_node_, privateName(kScanTopic), kQueue, [this](const auto& event) {
         guarded([&] {
           const auto scan = event.getMessage();
           ++scans_taken_;
           if (isComplete(*scan, kScanTopic.name, event.getPublisherName()))
             add({nullptr, scan, queue_.arrival()});
         });
+      });
+  if (!ros::Time::isSimTime()) return;
+  clock_subscriber_ = node_.subscribe<rosgraph_msgs::Clock>(
+      "/clock", kClockQueue,
+      [this](const rosgraph_msgs::ClockConstPtr& clock) {
+        simulated_now_ = clock->clock;
+        guarded([this] { completed([this] { observeClock(); }); });
       },
-      {}, no_delay);
-  if (ros::Time::isSimTime()) {
-    clock_subscriber_ = node_.subscribe<rosgraph_msgs::Clock>(
-        "/clock", kClockQueue,
-        [this](const rosgraph_msgs::ClockConstPtr& clock) {
-          simulated_now_ = clock->clock;
-          guarded([this] { completed([this] { observeClock(); }); });
-        },
-        {}, no_delay);
-  }
+      {}, ros::TransportHints().tcpNoDelay());
+}
+
+CloudFilterNode::Loading::Handlers CloudFilterNode::handlers(std::function<void()> on_failure) {
   Loading::Handlers handlers;
-  handlers.read = [name = private_node.getNamespace()](const ParameterServer& server) {
+  handlers.read = [name = private_node_.getNamespace()](const ParameterServer& server) {
     return readParameters<FilterParameters>(server, name, [](auto& parameters, auto& reader) {
       visitFilterParameters(parameters, reader);
     });
@@ -101,10 +104,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
   };
   handlers.adopt = [this](auto robot) { completed([&] { adopt(std::move(robot)); }); };
   handlers.on_failure = std::move(on_failure);
-  loading_ =
-      std::make_unique<Loading>(kFilterReload, node_, private_node_, queue_, std::move(handlers));
-  held_ = std::make_unique<HeldObjects>(private_node_, tf_, loading_->worker(), queue_,
-                                        [this] { listBodies(); });
+  return handlers;
 }
 
 void CloudFilterNode::spin() {

@@ -78,6 +78,8 @@ class CloudFilterNode {
     std::string reason;     ///< why it was not
   };
 
+  void subscribe();
+  Loading::Handlers handlers(std::function<void()> on_failure);
   void takeAll();
   template <class Message>
   bool isComplete(const Message& message, const char* topic, const std::string& sender);

@@ -55,12 +55,9 @@ std::string keyOf(const ObjectKey& key) {
 HeldObjects::HeldObjects(ros::NodeHandle& private_node, TransformBuffer& tf, Worker& worker,
                          ros::CallbackQueueInterface& queue, std::function<void()> on_change)
     : worker_(worker), queue_(queue), on_change_(std::move(on_change)), frames_(tf) {
-  subscriber_ = private_node.subscribe<Markers, const ros::MessageEvent<Markers>&>(
-      privateName(kHeldObjects), kObjectQueue,
-      [this](const ros::MessageEvent<Markers>& event) {
-        guarded([&] { completed([&] { onMarkers(event); }); });
-      },
-      {}, ros::TransportHints().tcpNoDelay());
+  subscriber_ = subscribeReceived<visualization_msgs::MarkerArray>(
+      private_node, privateName(kHeldObjects), kObjectQueue,
+      [this](const auto& event) { guarded([&] { completed([&] { onMarkers(event); }); }); });
 }
 
 void HeldObjects::onMarkers(const ros::MessageEvent<Markers>& event) {
