@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "link_bounds/robot/worker/mesh_process.h"
 
@@ -23,6 +24,7 @@ class JsonReader {
     skipBlanks();
     if (peek() == '"') {
       result.text = string();
+      result.is_string = true;
     } else if (peek() == '{' || peek() == '[') {
       result.members = members(depth);
     } else {
@@ -36,9 +38,12 @@ class JsonReader {
  private:
   std::vector<std::pair<std::string, Json>> members(int depth) {
     const bool is_object = take() == '{';
+    std::set<std::string> names;
     std::vector<std::pair<std::string, Json>> result;
     for (skipBlanks(); peek() != '}' && peek() != ']'; skipBlanks()) {
       std::string name = is_object ? string() : std::to_string(result.size());
+      if (is_object && !names.insert(name).second)
+        throw MeshError("its JSON has two members \"" + name + "\" in one object");
       skipBlanks();
       if (is_object && peek() == ':') take();
       result.emplace_back(std::move(name), value(depth + 1));
@@ -93,6 +98,11 @@ const Json& Json::operator[](std::string_view name) const {
   for (const auto& [known, value] : members)
     if (known == name) return value;
   return none;
+}
+
+bool Json::has(std::string_view name) const {
+  return std::any_of(members.begin(), members.end(),
+                     [name](const auto& member) { return member.first == name; });
 }
 
 Json parseJson(std::string_view text) {

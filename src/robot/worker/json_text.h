@@ -13,14 +13,17 @@ namespace link_bounds {
 /// A value.
 struct Json {
   std::string text;  ///< of a string, a number or a word
+  bool is_string = false;
   /// Members of an object by name, elements of an array by "0", "1" and so on.
   std::vector<std::pair<std::string, Json>> members;
 
   /// An empty one if there is none.
   const Json& operator[](std::string_view name) const;
+  bool has(std::string_view name) const;
 };
 
-/// The first value of a text. Throws MeshError if it does not end, or is nested too deeply.
+/// The first value of a text. Throws MeshError if it does not end, is nested too deeply, or has an
+/// object with two members of one name.
 Json parseJson(std::string_view text);
 
 }  // namespace link_bounds

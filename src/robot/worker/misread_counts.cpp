@@ -40,6 +40,7 @@ bool isOfFloats(const std::string& type) {
   return type[0] == 'f' || type[0] == 'd';
 }
 
+/// Throws for a type that PLY does not have.
 std::size_t sizeOf(const std::string& type) {
   for (const auto& [name, size] : kSizes)
     if (type == name) return size;
@@ -191,29 +192,51 @@ struct PlyHeader {
   std::vector<Elements> elements;
 };
 
+/// Assimp leaves out the properties of an element that follow a comment. That does no harm to other
+/// numbers of a text than coordinates.
+void checkProperty(const Property& property, bool is_after_comment, bool is_text) {
+  sizeOf(property.type);
+  if (property.is_list) sizeOf(property.length_type);
+  const bool is_harmless = is_text && !property.is_list && property.name != "x" &&
+                           property.name != "y" && property.name != "z";
+  if (is_after_comment && !is_harmless)
+    throw MeshError("a comment of its header stands between an element and its property " +
+                    inQuotes(property.name) + ", where assimp misreads it; remove the comment");
+}
+
 PlyHeader readPlyHeader(Lines& lines) {
   PlyHeader header;
+  bool is_after_comment = false;
   for (;;) {
     const auto line = lines.next(kMaxHeaderLine);
     if (!line) refuseCutOff("has no end_header");
     Words words(*line);
     const std::string keyword(words.next()), first(words.next()), second(words.next());
+    const std::string word = inSmallLetters(keyword);
     if (keyword == "end_header") return header;
-    if (keyword == "format") header.format = first;
+    if (std::find(kPlyWords.begin(), kPlyWords.end(), word) == kPlyWords.end())
+      throw MeshError(inQuotes(keyword) + " is no word of its header");
+    if (keyword == "comment" || keyword == "obj_info") is_after_comment = true;
+    if (keyword == "format") {
+      header.format = first;
+      if (is_after_comment)
+        throw MeshError(
+            "a comment stands before the format in its header, where assimp misreads it; remove "
+            "the comment");
+    }
     if (keyword == "element") {
       if (first == "tristrips")
         throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
       header.elements.push_back({first, countOf(second), {}});
+      is_after_comment = false;
     }
-    const std::string word = inSmallLetters(keyword);
-    if (std::find(kPlyWords.begin(), kPlyWords.end(), word) == kPlyWords.end())
-      throw MeshError(inQuotes(keyword) + " is no word of its header");
     if (keyword != "property" || header.elements.empty()) continue;
     Property property;
     property.is_list = first == "list";
     property.length_type = property.is_list ? second : "";
     property.type = property.is_list ? std::string(words.next()) : first;
     property.name = property.is_list ? std::string(words.next()) : second;
+    checkProperty(property, is_after_comment, header.format == "ascii");
     header.elements.back().properties.push_back(std::move(property));
   }
 }

@@ -76,20 +76,36 @@ void checkObjCorners(std::string_view text, const std::string& place) {
   }
 }
 
+/// Three numbers follow the word "vertex". The next word is returned.
+std::string_view checkStlVertex(Words& words, const std::string& place) {
+  for (int i = 0; i < 3; ++i)
+    requireNumber(words.next(), place);
+  const std::string_view next = words.next();
+  if (!next.empty() && isNumber(next))
+    throw MeshError("a vertex has more than 3 numbers, in " + place);
+  return next;
+}
+
 }  // namespace
 
-/// By words, which may stand in any line.
+/// By words, which may stand in any line. Assimp reads another part only where the line behind an
+/// "endsolid" begins with "solid".
 void checkStl(Lines& lines) {
   if (isBinaryStl(lines)) return;
+  bool is_over = false, is_lost = false;
   while (const auto line = lines.next()) {
     Words words(*line);
     std::string_view word = words.next();
-    if (word == "solid") words.next();  // its name
-    for (; !word.empty() && !startsWith(word, "endsolid"); word = words.next()) {
-      if (word != "vertex") continue;
-      const std::string place = lines.place();
-      for (int i = 0; i < 3; ++i)
-        requireNumber(words.next(), place);
+    const bool is_part = word == "solid";
+    is_lost |= is_over && !is_part;
+    if (is_lost && inSmallLetters(std::string(word)) == "vertex")
+      throw MeshError("assimp leaves out " + lines.place() +
+                      ", because no line \"solid\" follows an \"endsolid\"");
+    is_over = is_lost;
+    if (is_part) words.next();  // its name
+    while (!word.empty() && !is_over) {
+      is_over = startsWith(word, "endsolid");
+      word = word == "vertex" ? checkStlVertex(words, lines.place()) : words.next();
     }
   }
 }

@@ -262,6 +262,40 @@ TEST(ImportDae, AStrideBelowThreeIsRefused) {
     expectRefusedDae(daeWith("stride='3'", stride), "a stride below 3");
 }
 
+/// Assimp leaves it out.
+TEST(ImportDae, AnElementThatColladaDoesNotHaveIsRefused) {
+  const std::string extra = "<extra><technique profile='X'><nodf/><mexh/></technique></extra>";
+  EXPECT_EQ(importDae(dae(kMetres + extra, node(kInstance + extra))).triangles.size(), 4u);
+  expectRefusedDae(dae("<unjt meter='1'/>", node(kInstance)), "no <unjt> in <asset>");
+  expectRefusedDae(dae(kMetres, node(kInstance) + "<nodf>" + kInstance + "</nodf>"),
+                   "no <nodf> in <visual_scene>");
+  expectRefusedDae(dae(kMetres, node(kInstance + "<instance_geometrx url='#g'/>")),
+                   "no <instance_geometrx> in <node>");
+  expectRefusedDae(dae(kMetres, node("<translatf>0 0 9</translatf>" + kInstance)),
+                   "no <translatf> in <node>");
+  const std::string other = "<trianglex count='1'><p>0 1 2</p></trianglex>";
+  expectRefusedDae(dae(kMetres, node(kInstance), kDaeTriangles + other),
+                   "no <trianglex> in <mesh>");
+  expectRefusedDae(daeWith("</mesh>", "</mesh><mexh/>"), "no <mexh> in <geometry>");
+}
+
+/// Of two geometries, one would be without them.
+TEST(ImportDae, AMeshThatLosesItsPrimitivesOrPositionsIsRefused) {
+  const std::string positions = "<input semantic='POSITION' source='#p'/>";
+  for (const char* const other : {"", "<input semantic='POSITIOM' source='#p'/>"})
+    expectRefusedDae(daeWith(positions, other), "its <vertices> have no positions");
+  for (const char* const count : {"count='0'", "cound='4'", ""})
+    expectRefusedDae(daeWith("count='4'", count), "more primitives than their count says");
+  expectRefusedDae(daeWith("<input semantic='VERTEX' source='#v' offset='0'/>",
+                           "<input semantic='VERTEX' source='#v' offset='0'/>"
+                           "<input semantic='POSITION' source='#p' offset='0'/>"),
+                   "positions are named outside of <vertices>");
+  expectRefusedDae(daeWith("</geometry>", "</geometry><geometry id='g'/>"),
+                   "two geometries with the id \"g\"");
+  const std::string empty = "<triangles count='0'><p> </p></triangles>";
+  EXPECT_EQ(importDae(dae(kMetres, node(kInstance), empty + kDaeTriangles)).triangles.size(), 4u);
+}
+
 TEST(ImportDae, ANegativeIndexIsRefused) {
   EXPECT_EQ(importDae(daeWith("0 2 1 0 1 3", "<!-- -1 -->0 2 1 0 1 3")).triangles.size(), 4u);
   expectRefusedDae(daeWith("0 2 1 0 1 3", "<![CDATA[0 2 1 0 1 -1 ]]>"), "\"-1\" is no index");

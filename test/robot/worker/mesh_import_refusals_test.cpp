@@ -182,6 +182,31 @@ TEST_F(ImportRefusals, ADamagedPlyText) {
   expect("3 0 1 2", "3 0 1 2.5", "\"2.5\" is no index of a vertex");
 }
 
+/// Assimp leaves out the properties that follow a comment.
+TEST_F(ImportRefusals, APlyWithACommentBeforeAProperty) {
+  const std::string good = ply("3 0 1 2");
+  const auto with = [&](const std::string& behind, const std::string& line) {
+    std::string text = good;
+    return text.insert(text.find(behind) + behind.size(), line + "\n");
+  };
+  for (const std::string line : {"comment a b", "obj_info a b", "comment"}) {
+    for (const char* const behind : {"ascii 1.0\n", "float z\n", "indices\n"})
+      EXPECT_EQ(import("a.ply", with(behind, line)).triangles.size(), 1u) << behind;
+    for (const char* const behind : {"vertex 3\n", "float x\n", "float y\n", "face 1\n"})
+      expectRefused("a.ply", with(behind, line), "a comment of its header stands between");
+    expectRefused("a.ply", with("ply\n", line), "a comment stands before the format");
+  }
+  expectRefused("a.ply", with("float x\n", "comment\nproperty float q"), "property \"y\"");
+}
+
+TEST_F(ImportRefusals, APlyWithAnUnknownType) {
+  for (const char* const type : {"flat", "FLOAT"}) {
+    std::string text = ply("3 0 1 2");
+    expectRefused("a.ply", text.replace(text.find("float y"), 5, type),
+                  std::string("unknown type \"") + type);
+  }
+}
+
 /// A quad whose 4 became a 3 looks like a triangle with a colour.
 TEST_F(ImportRefusals, APlyFaceThatLostCorners) {
   std::string two = kPlyOfAFace;
@@ -192,6 +217,18 @@ TEST_F(ImportRefusals, APlyFaceThatLostCorners) {
   EXPECT_EQ(import("a.ply", faces("3 0 1 2 255 0 0\n3 0 2 1 0 0 9")).triangles.size(), 2u);
   expectRefused("a.ply", faces("4 0 1 2 0\n3 0 2 1 0"), "follow the corners in line 1 of face");
   expectRefused("a.ply", faces("3 0 2 1 0\n4 0 1 2 0"), "follow the corners in line 1 of face");
+}
+
+/// Assimp takes three of four numbers, and no more parts where something else follows one.
+TEST_F(ImportRefusals, ADamagedStlText) {
+  const std::string part = asciiStl(tetrahedronCorners());
+  EXPECT_EQ(import("a.stl", part + "\n \n" + part).triangles.size(), 8u);
+  EXPECT_EQ(import("a.stl", part + "# end\n").triangles.size(), 4u);
+  for (const char* const between : {"# part 2\n", "Solid b\n", "solid", "\x1A\n"})
+    expectRefused("a.stl", part + between + part, "no line \"solid\" follows an \"endsolid\"");
+  std::string four = part;
+  four.replace(four.find("0.000000"), 8, "0.0 0000");
+  expectRefused("a.stl", four, "more than 3 numbers, in line 4");
 }
 
 TEST_F(ImportRefusals, ADamagedObj) {
@@ -535,6 +572,33 @@ TEST_F(ImportRefusals, PositionsThatAreNoFloats) {
   std::string text = gltf("data.bin");
   text.replace(text.find("5126"), 4, "5122");
   expectRefused("a.gltf", text, "positions of mesh 0 are no floats");
+}
+
+/// Assimp leaves them out, or reads other numbers.
+TEST_F(ImportRefusals, ADamagedGltf) {
+  folder_.write("meshes/data.bin", threeVertices());
+  const auto expect = [&](const std::string& old_text, const std::string& text,
+                          const std::string& reason) {
+    std::string bad = gltf("data.bin");
+    expectRefused("a.gltf", bad.replace(bad.find(old_text), old_text.size(), text), reason);
+  };
+  const std::string node = R"({"mesh":0})";
+  expect(node, R"({"mesh":0,"childrem":[1]})", "node 0 has the member \"childrem\"");
+  expect(node, R"({"mesh":0,"translation":[0,50]})", "the translation of node 0 is not of 3");
+  expect(node, R"({"mesh":0,"translation":["0","0","5"]})",
+         "the translation of node 0 is not of 3");
+  expect(node, R"({"mesh":0,"rotation":7})", "the rotation of node 0 is not of 4 numbers");
+  expect(node, R"({"mesh":0,"mesh":0})", "two members \"mesh\" in one object");
+  for (const char* const type : {"VEC2", "vec3", ""})
+    expect("VEC3", type, "not VEC3");
+  expect("\"count\"", "\"cound\"", "accessor 0 has the member \"cound\"");
+  expect("\"byteLength\":36}]", "\"byteLength\":36,\"byteStride\":4}]", "byteStride below 12");
+  expect(R"("POSITION":0})", R"("POSITION":0},"indices":0)", "indices of mesh 0 are no unsigned");
+  expect(R"("POSITION":0})", R"("POSITION":0},"modes":4)", "a primitive of mesh 0 has the member");
+  std::string good = gltf("data.bin");
+  good.replace(good.find(node), node.size(),
+               R"({"mesh":0,"name":"a","translation":[0,0,1],"extras":{"mesh":1}})");
+  EXPECT_EQ(import("a.gltf", good).triangles.size(), 1u);
 }
 
 TEST_F(ImportRefusals, ABufferAboveTheLimitIsNot) {

@@ -1,43 +1,49 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Formats of which assimp reads other parts than are there.
+// Collada, of which assimp leaves out elements that it does not know.
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "robot/worker/json_text.h"
 #include "robot/worker/misread_formats.h"
 #include "robot/worker/xml_tags.h"
 
 namespace link_bounds {
 namespace {
 
-/// Extensions of glTF that change where vertices are, and that assimp leaves out.
-constexpr std::array<const char*, 4> kUnknownToAssimp{
-    "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
-    "KHR_meshopt_compression"};
-
-/// Beginnings of those that may be required, and change no vertex or are known to assimp.
-constexpr std::array<const char*, 11> kHarmless{
-    "KHR_materials_",  "KHR_texture_",    "EXT_texture_", "MSFT_texture_",
-    "KHR_lights_",     "EXT_lights_",     "KHR_xmp",      "KHR_draco_mesh_compression",
-    "KHR_techniques_", "KHR_binary_glTF", "VRM"};
-
-/// The componentType of a glTF that assimp reads as a position.
-constexpr char kFloat[] = "5126";
-
 /// Elements of Collada that hold numbers, and how many; assimp leaves out what follows.
 constexpr std::pair<std::string_view, std::size_t> kElementsOfNumbers[] = {
     {"matrix", 16}, {"translate", 3}, {"rotate", 4}, {"scale", 3}, {"lookat", 9}};
 
+/// What elements that place geometry may hold; assimp leaves out an element with another name.
+constexpr std::pair<std::string_view, std::string_view> kChildren[] = {
+    {"asset",
+     " contributor coverage created extra keywords modified revision subject title unit up_axis "},
+    {"geometry", " asset brep convex_mesh extra mesh spline "},
+    {"mesh",
+     " extra lines linestrips polygons polylist source triangles trifans tristrips vertices "},
+    {"node",
+     " asset extra instance_camera instance_controller instance_geometry instance_light "
+     "instance_node lookat matrix node rotate scale skew translate "},
+    {"vertices", " extra input "},
+    {"visual_scene", " asset evaluate_scene extra node "}};
+
+constexpr std::string_view kPrimitives =
+    " lines linestrips polygons polylist triangles trifans tristrips ";
+
+/// `names` are between blanks.
+bool isIn(std::string_view names, std::string_view name) {
+  return names.find(" " + std::string(name) + " ") != names.npos;
+}
+
 /// Assimp reads what is behind an array where an accessor reaches beyond it, takes the index -1 for
 /// 0, and x for a coordinate of a position that has no name. Where a position has more coordinates
-/// than the stride, it takes those of the next one.
+/// than the stride, it takes those of the next one. It leaves out primitives whose count is 0, and
+/// vertices without positions.
 class ColladaCheck {
  public:
   void run(XmlTags tags) {
@@ -56,21 +62,56 @@ class ColladaCheck {
 
  private:
   void checkTag(const XmlTags& tags) {
-    const std::string_view name = tags.name();
     if (tags.isBegin()) {
-      const auto meter = name == "unit" ? tags.attribute("meter") : std::nullopt;
-      if (meter) requireNumber(Words(*meter).next(), "the meter of its <unit>");
-      if (name == "float_array") noteArray(tags);
-      if (name == "accessor") noteAccessor(tags);
-      if (name == "param") noteParam(tags);
-      if (name == "source") source_ = tags.attribute("id").value_or("");
-      if (name == "input" && tags.attribute("semantic") == "POSITION")
-        positions_.insert(withoutHash(tags.attribute("source").value_or("")));
-      if (isOther(name)) ++others_;
+      begin(tags);
+      open_.emplace_back(tags.name());
     }
-    if (tags.isEnd() && isOther(name)) --others_;
-    if (tags.isEnd() && name == "accessor" && !ends_.empty() && has_items_)
-      ends_.back().second += params_;
+    if (!tags.isEnd()) return;
+    if (!open_.empty()) open_.pop_back();
+    end(tags);
+  }
+
+  void begin(const XmlTags& tags) {
+    const std::string_view name = tags.name();
+    if (isOther(name)) ++others_;
+    if (others_ == 0) checkParent(tags);
+    const auto meter = name == "unit" ? tags.attribute("meter") : std::nullopt;
+    if (meter) requireNumber(Words(*meter).next(), "the meter of its <unit>");
+    if (name == "float_array") noteArray(tags);
+    if (name == "accessor") noteAccessor(tags);
+    if (name == "param") noteParam(tags);
+    if (name == "source") source_ = tags.attribute("id").value_or("");
+    if (name == "vertices") has_positions_ = false;
+    if (isIn(kPrimitives, name)) primitives_ = numberOf(tags, "count", 0);
+    if (name == "input" && tags.attribute("semantic") == "POSITION") notePositions(tags);
+  }
+
+  void end(const XmlTags& tags) {
+    const std::string_view name = tags.name();
+    if (name == "accessor" && !ends_.empty() && has_items_) ends_.back().second += params_;
+    if (name == "vertices" && !has_positions_ && others_ == 0)
+      throw MeshError("its <vertices> have no positions, before the end of " + tags.place());
+    if (isOther(name)) --others_;
+  }
+
+  void checkParent(const XmlTags& tags) {
+    const std::string_view parent = open_.empty() ? std::string_view() : open_.back();
+    const std::string name(tags.name());
+    for (const auto& [known, children] : kChildren)
+      if (parent == known && !isIn(children, name))
+        throw MeshError("Collada has no <" + name + "> in <" + std::string(parent) + ">, in " +
+                        tags.place());
+    if (name != "geometry") return;
+    const auto id = tags.attribute("id");
+    if (id && !geometries_.insert(*id).second)
+      throw MeshError("it has two geometries with the id " + inQuotes(*id));
+  }
+
+  void notePositions(const XmlTags& tags) {
+    positions_.insert(withoutHash(tags.attribute("source").value_or("")));
+    has_positions_ = true;
+    if (!open_.empty() && isIn(kPrimitives, open_.back()))
+      throw MeshError("positions are named outside of <vertices>, in " + tags.place());
   }
 
   /// Elements in it may have other meanings, or say nothing of geometry.
@@ -125,8 +166,11 @@ class ColladaCheck {
     const std::string place = "the <" + std::string(tags.name()) + "> of " + tags.place();
     if (count && static_cast<double>(words.countNumbers(place)) > *count && others_ == 0)
       throw MeshError("it has too many numbers in " + place);
-    for (auto word = words.next(); !word.empty(); word = words.next())
+    for (auto word = words.next(); !word.empty(); word = words.next()) {
       requireIndex(word, place);
+      if (!(primitives_ > 0) && others_ == 0)
+        throw MeshError("it has more primitives than their count says, in " + place);
+    }
   }
 
   void checkPosition(const std::string& source) const {
@@ -155,7 +199,11 @@ class ColladaCheck {
     return std::strtod(word.c_str(), nullptr);
   }
 
+  std::vector<std::string> open_;                     ///< elements
   int others_ = 0;                                    ///< open elements of isOther()
+  double primitives_ = 0;                             ///< count of the last element of kPrimitives
+  bool has_positions_ = false;                        ///< the last <vertices>
+  std::set<std::string> geometries_;                  ///< ids
   double array_size_ = 0;                             ///< of the last array
   std::map<std::string, double> sizes_;               ///< of arrays, by id; the smallest counts
   std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
@@ -167,61 +215,11 @@ class ColladaCheck {
   bool has_items_ = false;                                    ///< it has
 };
 
-[[noreturn]] void refuseExtension(const std::string& name) {
-  throw MeshError("it uses the extension " + name +
-                  ", which assimp does not know; export it without");
-}
-
-/// The name of an extension that is used stands as a name or string.
-void refuseUnknown(const Json& value) {
-  for (const char* const unknown : kUnknownToAssimp)
-    if (value.text == unknown) refuseExtension(unknown);
-  for (const auto& [name, member] : value.members) {
-    for (const char* const unknown : kUnknownToAssimp)
-      if (name == unknown) refuseExtension(unknown);
-    refuseUnknown(member);
-  }
-}
-
-bool isHarmless(const std::string& extension) {
-  return std::any_of(kHarmless.begin(), kHarmless.end(),
-                     [&](const char* beginning) { return extension.rfind(beginning, 0) == 0; });
-}
-
-/// A binary file has its size before it.
-std::string_view jsonOf(const std::string& file) {
-  constexpr std::size_t kAtSize = 12, kBegin = 20;
-  const std::string_view text = file;
-  if (text.substr(0, 4) != "glTF" || text.size() < kBegin) return text;
-  std::uint32_t size = 0;
-  std::memcpy(&size, file.data() + kAtSize, sizeof(size));
-  return text.substr(kBegin, size);
-}
-
 }  // namespace
 
 void checkCollada(Lines& lines) {
   const std::string text = lines.all();
   ColladaCheck().run(XmlTags(text));
-}
-
-void checkGltf(Lines& lines) {
-  const std::string file = lines.all();
-  const Json document = parseJson(jsonOf(file));
-  refuseUnknown(document);
-  for (const auto& [number, name] : document["extensionsRequired"].members) {
-    if (!isHarmless(name.text)) refuseExtension(name.text);
-  }
-  std::set<std::string> others;
-  for (const auto& [number, accessor] : document["accessors"].members)
-    if (accessor["componentType"].text != kFloat) others.insert(number);
-  for (const auto& [number, mesh] : document["meshes"].members) {
-    for (const auto& [part, primitive] : mesh["primitives"].members) {
-      if (others.count(primitive["attributes"]["POSITION"].text) > 0)
-        throw MeshError("positions of mesh " + number +
-                        " are no floats, which assimp misreads; store floats");
-    }
-  }
 }
 
 }  // namespace link_bounds
