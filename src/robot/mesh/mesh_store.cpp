@@ -23,6 +23,7 @@ constexpr char kChangedReason[] = "it changed while it was read";
 /// Twice the longest tick of the kernel clock that sets the times of files (10 ms at 100 Hz). Two
 /// writes within one tick give the same time.
 constexpr std::chrono::milliseconds kFileTick(20);
+constexpr int kMaxTicks = 50;
 
 bool areEqual(const timespec& a, const timespec& b) {
   return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
@@ -64,16 +65,18 @@ MeshStore::Version MeshStore::versionOf(const std::string& path) {
 }
 
 /// Waits until a tick has passed since the last write, so that every later write gives a new
-/// version.
+/// version; but not for ever, if somebody goes on writing.
 MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
-  const Version version = versionOf(path);
-  if (std::all_of(version.begin(), version.end(), [](const FileVersion& file) {
-        const double age = secondsSince(file.changed);
-        return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
-      }))
-    return version;
-  std::this_thread::sleep_for(kFileTick);
-  return versionOf(path);
+  const auto is_settled = [](const FileVersion& file) {
+    const double age = secondsSince(file.changed);
+    return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
+  };
+  for (int ticks = 0;; ++ticks) {
+    const Version version = versionOf(path);
+    const bool is_over = ticks == kMaxTicks;
+    if (is_over || std::all_of(version.begin(), version.end(), is_settled)) return version;
+    std::this_thread::sleep_for(kFileTick);
+  }
 }
 
 LoadedMesh MeshStore::cached(const MeshFile& file) const {

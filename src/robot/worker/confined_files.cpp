@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
+#include "robot/mesh/percent_decoded.h"
 
 namespace link_bounds {
 namespace {
@@ -56,9 +57,12 @@ std::optional<struct stat> allowedStatus(const std::string& root, int descriptor
   return status;
 }
 
-/// O_NONBLOCK: does not wait for the writer of a pipe. O_NOCTTY: takes no controlling terminal.
+/// O_NONBLOCK: does not wait for the writer of a pipe. O_NOCTTY: takes no controlling terminal. A
+/// glTF names its buffers by URIs, which assimp does not decode.
 int openForReading(const char* path) {
-  return open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
+  const int descriptor = open(path, kFlags);
+  return descriptor >= 0 ? descriptor : open(percentDecoded(path).c_str(), kFlags);
 }
 
 }  // namespace

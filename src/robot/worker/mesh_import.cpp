@@ -197,10 +197,9 @@ TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
     throw MeshError("assimp cannot read it (" + reason + "); " + too_large, MeshFault::kTooLarge);
   }
   checkIndices(*scene);
-  TriangleMesh mesh = welded(collectTriangles(*scene));
   if (!log->firstLoss().empty())
     throw MeshError("assimp found a fault in it (" + log->firstLoss() + ")");
-  return mesh;
+  return welded(collectTriangles(*scene));
 }
 
 }  // namespace link_bounds

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Collada, of which assimp leaves out elements that it does not know.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -54,10 +56,10 @@ class ColladaCheck {
         checkTag(tags);
       }
     }
-    for (const auto& [source, end] : ends_)
-      checkEnd(source, end);
     for (const std::string& source : positions_)
       checkPosition(source);
+    for (const auto& [source, end] : ends_)
+      checkEnd(source, end);
   }
 
  private:
@@ -130,7 +132,7 @@ class ColladaCheck {
 
   void noteAccessor(const XmlTags& tags) {
     const auto source = tags.attribute("source");
-    coordinates_[source_];
+    params_of_[source_];
     const double last = numberOf(tags, "count", 0) - 1;
     params_ = 0;
     has_items_ = source && last >= 0;
@@ -143,7 +145,7 @@ class ColladaCheck {
 
   void noteParam(const XmlTags& tags) {
     ++params_;
-    coordinates_[source_].insert(std::string(tags.attribute("name").value_or("")));
+    params_of_[source_].emplace_back(tags.attribute("name").value_or(""));
   }
 
   static std::string withoutHash(std::string_view reference) {
@@ -166,6 +168,7 @@ class ColladaCheck {
     const std::string place = "the <" + std::string(tags.name()) + "> of " + tags.place();
     if (count && static_cast<double>(words.countNumbers(place)) > *count && others_ == 0)
       throw MeshError("it has too many numbers in " + place);
+    if (tags.name() == "rotate" && others_ == 0) checkAxis(text, place);
     for (auto word = words.next(); !word.empty(); word = words.next()) {
       requireIndex(word, place);
       if (!(primitives_ > 0) && others_ == 0)
@@ -173,12 +176,32 @@ class ColladaCheck {
     }
   }
 
+  /// Assimp scales by the length of an axis.
+  static void checkAxis(const std::string& text, const std::string& place) {
+    constexpr double kMaxError = 1e-3;
+    Words words(text);
+    std::array<double, 4> numbers{};
+    for (double& number : numbers)
+      number = std::strtod(std::string(words.next()).c_str(), nullptr);
+    const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
+    if (numbers[3] != 0 && !(std::abs(length - 1) <= kMaxError))
+      throw MeshError("the axis has not the length 1 in " + place + "; assimp scales by it");
+  }
+
   void checkPosition(const std::string& source) const {
-    const auto found = coordinates_.find(source);
-    if (found == coordinates_.end()) return;
+    const auto found = params_of_.find(source);
+    if (found == params_of_.end()) return;
+    const std::vector<std::string>& params = found->second;
+    const auto place = [&params](const char* name) {
+      return std::find(params.begin(), params.end(), name);
+    };
     for (const char* const name : {"X", "Y", "Z"})
-      if (found->second.count(name) == 0)
+      if (place(name) == params.end())
         throw MeshError("the accessor of its positions has no param \"" + std::string(name) + "\"");
+    for (const char* const name : {"R", "G", "B", "S", "T", "P", "U", "V"})
+      if (place(name) != params.end() && place(name) > place("X"))
+        throw MeshError("assimp takes the param \"" + std::string(name) +
+                        "\" of its positions for a coordinate; give it an accessor of its own");
     const auto stride = strides_.find(source);
     if (stride != strides_.end() && stride->second < 3)
       throw MeshError("the accessor of its positions has a stride below 3");
@@ -209,10 +232,10 @@ class ColladaCheck {
   std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
   double params_ = 0;                                 ///< of the last accessor
   std::string source_;                                ///< id of the last one
-  std::map<std::string, std::set<std::string>> coordinates_;  ///< params of accessors, by sources
-  std::map<std::string, double> strides_;                     ///< of accessors, by sources
-  std::set<std::string> positions_;                           ///< ids of sources
-  bool has_items_ = false;                                    ///< it has
+  std::map<std::string, std::vector<std::string>> params_of_;  ///< of accessors, by sources
+  std::map<std::string, double> strides_;                      ///< of accessors, by sources
+  std::set<std::string> positions_;                            ///< ids of sources
+  bool has_items_ = false;                                     ///< it has
 };
 
 }  // namespace

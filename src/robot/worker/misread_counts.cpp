@@ -255,11 +255,27 @@ void checkCoordinates(const PlyHeader& header) {
   }
 }
 
+/// Assimp does not skip the data of an element that it does not know.
+void checkOrder(const PlyHeader& header) {
+  constexpr std::array kKnown{"vertex", "face", "edge", "material"};
+  const Elements* unknown = nullptr;
+  for (const Elements& elements : header.elements) {
+    if (std::find(kKnown.begin(), kKnown.end(), elements.name) == kKnown.end()) {
+      if (elements.count > 0) unknown = &elements;
+    } else if (unknown) {
+      throw MeshError("assimp misreads the element " + inQuotes(elements.name) +
+                      ", because it does not know " + inQuotes(unknown->name) +
+                      " before it; move or remove that");
+    }
+  }
+}
+
 }  // namespace
 
 void checkPly(Lines& lines) {
   const PlyHeader header = readPlyHeader(lines);
   checkCoordinates(header);
+  checkOrder(header);
   if (header.format == "ascii") {
     for (const Elements& each : header.elements)
       checkText(lines, each);
@@ -296,7 +312,13 @@ void checkOff(Lines& lines) {
     if (counts.size() == wanted) break;
   }
   if (counts.size() < wanted) return;
-  eachLine(lines, "vertices", counts[wanted - 3], [](Line& line) { line.allNumbers('#'); });
+  std::optional<std::size_t> numbers;  // of the first vertex, maybe with a colour
+  eachLine(lines, "vertices", counts[wanted - 3], [&numbers](Line& line) {
+    const std::size_t count = line.allNumbers('#');
+    if (count != numbers.value_or(count))
+      throw MeshError("it has more or fewer numbers than before in " + line.place());
+    numbers = count;
+  });
   eachLine(lines, "faces", counts[wanted - 2], [](Line& line) {
     const std::size_t length = line.length(false);
     if (length > kMaxCornersInOff) {

@@ -109,9 +109,10 @@ class Primitives {
     if (positions["type"].text != "VEC3")
       throw MeshError("positions of " + mesh + " are of the type " +
                       inQuotes(positions["type"].text) + ", not VEC3");
-    const std::string stride =
+    const std::string& stride =
         document_["bufferViews"][positions["bufferView"].text]["byteStride"].text;
-    if (!stride.empty() && !(std::strtod(stride.c_str(), nullptr) >= kSizeOfPosition))
+    const double bytes = std::strtod(stride.c_str(), nullptr);
+    if (bytes != 0 && !(bytes >= kSizeOfPosition))
       throw MeshError("positions of " + mesh + " have a byteStride below 12");
   }
 

@@ -71,8 +71,10 @@ void checkObjWord(std::string_view word, const std::string& place) {
 void checkObjCorners(std::string_view text, const std::string& place) {
   Words words(text);
   for (auto word = words.next(); !word.empty() && word[0] != '#'; word = words.next()) {
-    if (word[0] == '/' || word.find_first_not_of("0123456789-/") != word.npos)
-      throw MeshError(inQuotes(word) + " is no corner, in " + place);
+    bool is_corner = word[0] != '/' && word.find_first_not_of("0123456789-/") == word.npos;
+    for (std::size_t i = 1; i < word.size(); ++i)
+      is_corner &= word[i] != '-' || word[i - 1] == '/';
+    if (!is_corner) throw MeshError(inQuotes(word) + " is no corner, in " + place);
   }
 }
 

@@ -180,6 +180,11 @@ TEST(ImportDae, APartThatIsNotInTheFileIsMissed) {
   for (const char* const part : {"<instance_geometry url='#none'/>", "<instance_node url='#none'/>",
                                  "<instance_node url='other.dae#part'/>"})
     EXPECT_THROW(importDae(dae(kMetres, node(kInstance + part))), MeshError) << part;
+  EXPECT_NE(refusalOf<MeshError>([] {
+              importDae(dae(kMetres, node("<instance_geometry url='#none'/>")));
+            }).find("Unable to find geometry"),
+            std::string::npos)
+      << "where nothing else is in the file";
 }
 
 TEST(ImportDae, AnAccessorThatReachesBeyondItsArrayIsRefused) {
@@ -260,6 +265,31 @@ TEST(ImportDae, APositionWithoutACoordinateIsRefused) {
 TEST(ImportDae, AStrideBelowThreeIsRefused) {
   for (const char* const stride : {"", "stride='1'", "stride='2'", "stride='0'"})
     expectRefusedDae(daeWith("stride='3'", stride), "a stride below 3");
+}
+
+/// Assimp takes them for x, y and z, too.
+TEST(ImportDae, APositionWithAColourIsRefused) {
+  const std::string z = "<param name='Z' type='float'/>", x = "<param name='X'";
+  const std::string before = "<param name='S'/><param name='T'/>" + x;
+  std::string good = daeWith("count='5' stride='3'", "count='3' stride='5'");
+  good.replace(good.find(x), x.size(), before);
+  good.replace(good.find("0 2 1 0 1 3 0 3 2 1 2 3"), 23, "0 2 1 0 1 2 0 1 2 1 2 0");
+  EXPECT_EQ(importDae(good).triangles.size(), 4u) << "assimp takes the last one";
+  for (const char* const name : {"R", "G", "B", "S", "T", "P", "U", "V"})
+    expectRefusedDae(daeWith(z, z + "<param name='" + name + "' type='float'/>"),
+                     std::string("assimp takes the param \"") + name + "\" of its positions");
+}
+
+TEST(ImportDae, AnAxisThatIsNotOfLengthOneIsRefused) {
+  for (const char* const rotation : {"0 0 2 90", "0.5 0.5 0 180", "0 0 0 1", "nan 0 0 1"})
+    expectRefusedDae(
+        dae(kMetres, node("<rotate>" + std::string(rotation) + "</rotate>" + kInstance)),
+        "the axis has not the length 1 in the <rotate> of line 1");
+  for (const char* const rotation : {"0 0 0 0", "0.7071 0.7071 0 180"})
+    EXPECT_EQ(
+        importDae(dae(kMetres, node("<rotate>" + std::string(rotation) + "</rotate>" + kInstance)))
+            .triangles.size(),
+        4u);
 }
 
 /// Assimp leaves it out.

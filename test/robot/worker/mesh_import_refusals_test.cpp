@@ -199,6 +199,19 @@ TEST_F(ImportRefusals, APlyWithACommentBeforeAProperty) {
   expectRefused("a.ply", with("float x\n", "comment\nproperty float q"), "property \"y\"");
 }
 
+/// As MeshLab writes the camera. Assimp takes its numbers for those of the next element.
+TEST_F(ImportRefusals, APlyWithAnUnknownElementBeforeItsFaces) {
+  const std::string camera = "element camera 1\nproperty float view_px\n";
+  const auto with = [&](const std::string& before, const std::string& elements) {
+    std::string text = ply("3 0 1 2");
+    return text.insert(text.find(before), elements);
+  };
+  for (const char* const before : {"element vertex", "element face"})
+    expectRefused("a.ply", with(before, camera), "because it does not know \"camera\" before it");
+  EXPECT_EQ(import("a.ply", with("end_header", camera) + "7\n").triangles.size(), 1u);
+  EXPECT_EQ(import("a.ply", with("element vertex", "element camera 0\n")).triangles.size(), 1u);
+}
+
 TEST_F(ImportRefusals, APlyWithAnUnknownType) {
   for (const char* const type : {"flat", "FLOAT"}) {
     std::string text = ply("3 0 1 2");
@@ -229,6 +242,7 @@ TEST_F(ImportRefusals, ADamagedStlText) {
   std::string four = part;
   four.replace(four.find("0.000000"), 8, "0.0 0000");
   expectRefused("a.stl", four, "more than 3 numbers, in line 4");
+  expectRefused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 .1 8 9\n3 0 1 2\n", "line 2 of vertices");
 }
 
 TEST_F(ImportRefusals, ADamagedObj) {
@@ -249,6 +263,7 @@ TEST_F(ImportRefusals, ADamagedObj) {
                 "line 1, because it begins with a byte order mark");
   expectRefused("a.obj", vertices + "f 1 /2 4\n", "\"/2\" is no corner, in line 6");
   expectRefused("a.obj", vertices + "f +1 2 4\n", "is no corner");
+  expectRefused("a.obj", vertices + "f 1 2-2 4\n", "\"2-2\" is no corner");
   expectRefused("a.obj", vertices + "f 1 2 a4\n", "is no corner");
   for (const char* const begin : {"", "f 1 2 ", "# "})
     expectRefused("a.obj", vertices + begin + std::string(512, '\0') + "\nf 1 2 4\n",
@@ -572,6 +587,15 @@ TEST_F(ImportRefusals, PositionsThatAreNoFloats) {
   std::string text = gltf("data.bin");
   text.replace(text.find("5126"), 4, "5122");
   expectRefused("a.gltf", text, "positions of mesh 0 are no floats");
+}
+
+/// As Blender writes it.
+TEST_F(ImportRefusals, ABufferIsNamedByAUri) {
+  folder_.write("meshes/my data.bin", threeVertices());
+  EXPECT_EQ(import("a.gltf", gltf("my%20data.bin")).vertices.size(), 3u);
+  folder_.write("meshes/50%20.bin", threeVertices());
+  EXPECT_EQ(import("a.gltf", gltf("50%20.bin")).vertices.size(), 3u) << "that is its name";
+  expectRefused("a.gltf", gltf("%2e%2e/secret.bin"));
 }
 
 /// Assimp leaves them out, or reads other numbers.
