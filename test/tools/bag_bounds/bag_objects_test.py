@@ -131,6 +131,23 @@ class ObjectsTest(BagBoundsTest):
         self.assertLess(difference(self.box(found, '//arm'), [1, 2, 4, 2, 3, 6]), 1e-9)
         self.assertLess(difference(self.box(found, '//hand'), [1, 2, 5, 2, 3, 6]), 1e-9)
 
+    def test_a_box_of_another_node_that_comes_again_is_the_same_object(self):
+        """A tracker that sends what it sees: without a common name they are of another robot."""
+        def boxes(index, names):
+            message = AxisAlignedBoxArray(Header(frame_id='base'), [AxisAlignedBox(
+                name, rospy.Time(), Point(index, y, 0), Point(index + 1, y + 1, 1))
+                for name, y in (('p', 7), ('q', 5)) if name in names], [])
+            return '/objects', message, time_of(BEGIN + PERIOD * index)
+        found = self.objects(arms(10) + [boxes(index, names) for index, names in enumerate(
+            ['p', 'p', 'q', 'q', 'pq', 'pq', 'q', 'p', 'qp'])], '--distances', '20', code=ENTERED)
+        objects = [entry for entry in found['extremes'] if entry['name'] in ('//p', '//q')]
+        self.assertEqual([entry['name'] for entry in objects], ['//p', '//q'])
+        self.assertLess(difference(self.box(found, '//p'), [0, 7, 0, 9, 8, 1]), 1e-9)
+        self.assertLess(difference(self.box(found, '//q'), [2, 5, 0, 9, 6, 1]), 1e-9)
+        pairs = [frozenset((pair['first'], pair['second'])) for pair in found['distances']]
+        self.assertEqual(len(pairs), len(set(pairs)), pairs)
+        self.assertIn({'//p', '//q'}, pairs)
+
     def test_an_object_in_a_zone(self):
         """It appears, goes, and comes again with another pose."""
         near, far = (marker('part/1', scale=(.1, .1, .1), pose=Pose((x, 5, 0))) for x in (5, 9))

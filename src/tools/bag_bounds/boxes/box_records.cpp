@@ -115,10 +115,7 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
     BoxRecord* record = recordOf(body);
     if (!record) return;
     if (record->name.empty()) record->name = body.name;
-    if (body.object) {
-      present_.push_back(record);
-      record->is_there = true;
-    }
+    if (body.object && !std::exchange(record->is_there, true)) present_.push_back(record);
     const bool had_box = record->has_box && !record->gap;
     has_changed |= body.link && had_box != body.state.box.has_value();
     const auto reason = [&] { return scene.reason(body); };
@@ -136,10 +133,12 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
 /// Null if the record has no place.
 BoxRecord* BoxRecords::recordOf(const SceneBody& body) {
   if (body.link) return &links_[*body.link];
-  const auto found = objects_.find(*body.key);
+  ObjectKey key = *body.key;
+  key.set = 0;  // a box of another node may come again in another set
+  const auto found = objects_.find(key);
   if (found != objects_.end()) return &found->second;
   if (objects_.size() < kMaxObjects) {
-    BoxRecord& record = objects_[*body.key];
+    BoxRecord& record = objects_[key];
     record.is_object = true;
     return &record;
   }

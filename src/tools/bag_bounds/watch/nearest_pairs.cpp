@@ -88,8 +88,8 @@ PairMotions::Handlers NearestPairs::motionHandlers() {
   PairMotions::Handlers handlers;
   handlers.wanted = [this](const Moment& moment, const BoxPair& pair) -> std::optional<double> {
     const double limit = moment.model->parameters.distance_limit;
-    const auto found = pairs_.find(
-        {moment.name(moment.bodies[pair.first]), moment.name(moment.bodies[pair.second])});
+    const auto found =
+        find(moment.name(moment.bodies[pair.first]), moment.name(moment.bodies[pair.second]));
     if (found == pairs_.end()) return limit;
     if (found->second.clearance <= 0) return std::nullopt;
     const double nearest = found->second.distance.distance;
@@ -99,10 +99,8 @@ PairMotions::Handlers NearestPairs::motionHandlers() {
     take(moment, motion);
   };
   handlers.on_forgotten = [this](const std::string& first, const std::string& second) {
-    for (const auto& names : {std::pair(first, second), std::pair(second, first)}) {
-      const auto found = pairs_.find(names);
-      if (found != pairs_.end()) found->second.clearance = 0;
-    }
+    const auto found = find(first, second);
+    if (found != pairs_.end()) found->second.clearance = 0;
     takeUndecided(first, second, "the second one was deleted before it is known how they moved");
   };
   handlers.gives_up = isInterrupted;
@@ -119,7 +117,7 @@ void NearestPairs::take(const Moment& moment, const PairMotion& motion) {
   }
   const auto& first = moment.name(moment.bodies[motion.first]);
   const auto& second = moment.name(moment.bodies[motion.second]);
-  const auto found = pairs_.find({first, second});
+  const auto found = find(first, second);
   if (found != pairs_.end())
     found->second.clearance = std::min(found->second.clearance, motion.clearance);
   if (!motion.undecided.empty()) takeUndecided(first, second, motion.undecided);
@@ -143,17 +141,23 @@ std::optional<ComputedDistances> NearestPairs::compute(const MomentPtr& moment) 
 }
 
 void NearestPairs::keep(const Distance& distance, const RecordTime& when) {
-  const std::pair<std::string, std::string> names{distance.first, distance.second};
-  const auto found = pairs_.find(names);
+  const auto found = find(distance.first, distance.second);
   if (found != pairs_.end()) {
     NearestPair& pair = found->second;
     if (distance.distance >= pair.distance.distance) return;
     pair = {distance, when, std::min(pair.clearance, distance.distance)};
   } else if (pairs_.size() < kMaxPairs) {
-    pairs_[names] = {distance, when, distance.distance};
+    pairs_[{distance.first, distance.second}] = {distance, when, distance.distance};
   } else {
     ++left_out_;
   }
+}
+
+/// Objects may come again in another order.
+NearestPairs::Pairs::iterator NearestPairs::find(const std::string& first,
+                                                 const std::string& second) {
+  const auto found = pairs_.find({first, second});
+  return found != pairs_.end() ? found : pairs_.find({second, first});
 }
 
 std::vector<NearestPair> NearestPairs::pairs() const {

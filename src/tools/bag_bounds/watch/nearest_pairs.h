@@ -77,6 +77,8 @@ class NearestPairs {
   const std::set<std::string>& problems() const { return problems_; }
 
  private:
+  using Pairs = std::map<std::pair<std::string, std::string>, NearestPair>;
+
   TreeRequests requests();
   std::optional<ComputedDistances> compute(const MomentPtr& moment);
   void addNow(const ComputedDistances& computed, double limit, std::int64_t now);
@@ -84,12 +86,13 @@ class NearestPairs {
   void take(const Moment& moment, const PairMotion& motion);
   void takeUndecided(const std::string& first, const std::string& second, const std::string& why);
   void keep(const Distance& distance, const RecordTime& when);
+  Pairs::iterator find(const std::string& first, const std::string& second);
 
   LoadTree load_tree_;
   MomentPairs moment_pairs_;
   SceneDistances distances_;
   PairMotions motions_;
-  std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
+  Pairs pairs_;
   std::vector<Distance> latest_;
   std::int64_t now_ = 0;  ///< of the last add()
   std::set<std::string> problems_;
