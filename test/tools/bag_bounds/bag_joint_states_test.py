@@ -88,6 +88,43 @@ class JointStatesTest(BagBoundsTest):
                 self.report(self.bag(messages), '--zones', zones, '--joint-states', '/joint_states',
                             code=code, err='half a turn or more' if code == INCOMPLETE else '')
 
+    def test_a_mimic_joint_goes_the_way_of_its_leader(self):
+        """Whatever its own type: no driver sends its position."""
+        joint = ('<joint name="%s" type="%s"><parent link="base"/><child link="%s"/>'
+                 '<axis xyz="0 0 1"/>%s%s</joint>')
+        limit = '<limit lower="-9" upper="9" effort="1" velocity="9"/>'
+        front = self.write('front.yaml', zone_text('door', [.9, -.02, -1], [1.1, .02, 1]))
+        back = self.write('back.yaml', zone_text('door', [-1.1, -.02, -1], [-.9, .02, 1]))
+        for leader, follower, factor, end, zones, code in (
+                ('revolute', 'continuous', 3, 1, front, ENTERED),
+                ('revolute', 'continuous', 2.5, 1, front, ENTERED),
+                ('prismatic', 'continuous', 30, .1, front, ENTERED),
+                ('continuous', 'continuous', 3, 1, front, ENTERED),
+                ('revolute', 'revolute', 3, 1, front, ENTERED),
+                ('revolute', 'continuous', 1, 1, back, 0),
+                ('continuous', 'revolute', 1, 2.9, back, ENTERED),  # its driver began anew
+                ('continuous', 'revolute', -1, 2.9, back, ENTERED),
+                ('continuous', 'continuous', 1, 2.9, back, ENTERED),
+                ('continuous', 'revolute', 1, 2.9, front, 0),
+                ('continuous', 'revolute', 1, 2, front, INCOMPLETE)):
+            self.urdf = self.write('arm.urdf', '<robot name="r"><link name="base"/><link name="a"/>'
+                                   '<link name="tip"><visual><origin xyz="1 0 0"/><geometry><box size=".1 .1 .1"/>'
+                                   '</geometry></visual></link>%s%s</robot>' % (
+                                       joint % ('a', leader, 'a', '' if leader == 'continuous'
+                                                else limit, ''),
+                                       joint % ('m', follower, 'tip', '' if follower == 'continuous'
+                                                else limit,
+                                                '<mimic joint="a" multiplier="%g"/>' % factor)))
+            messages = []
+            for i in range(20):
+                stamp = time_of(BEGIN + i / 10)
+                state = JointState(name=['a'], position=[-end if i < 9 else end])
+                state.header.stamp = stamp
+                messages.append(('/joint_states', state, stamp))
+            with self.subTest(leader=leader, follower=follower, factor=factor, end=end):
+                self.report(self.bag(messages), '--zones', zones, '--joint-states', '/joint_states',
+                            code=code, err='half a turn or more' if code == INCOMPLETE else '')
+
     def test_joints_in_messages_of_their_own(self):
         """And without a stamp, where that of the recording serves."""
         states = [self.state(i, self.leaders[half::2], time_of(0) if half else None)

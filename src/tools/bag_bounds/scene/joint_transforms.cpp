@@ -60,33 +60,46 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
   for (auto& [name, is_met] : is_met_)
     is_met |= told.count(name) > 0;
   for (const Joint& joint : robot_.joints) {
-    const std::optional<double> value = valueOf(joint, told);
-    if (!value) continue;
-    if (joint.motion == Motion::kRotation) addTurn(joint, {*value, stamp}, result);
-    result.push_back(transformOf(joint, *value, stamp));
+    const std::optional<Position> position = positionOf(joint, told, stamp);
+    if (!position) continue;
+    if (joint.motion == Motion::kRotation) addTurn(joint, *position, result);
+    result.push_back(transformOf(joint, position->value, stamp));
   }
   return result;
 }
 
-/// A turn by half a turn or more goes through all positions between. Where that may be a driver's
-/// step from one end of a turn to the other, the shorter way counts, if it is short.
+/// A turn by half a turn or more goes through all positions between.
 void JointTransforms::addTurn(const Joint& joint, const Position& next,
                               std::vector<TransformView>& result) {
   const auto [entry, is_new] = last_.try_emplace(&joint, next);
   const Position last = std::exchange(entry->second, next);
-  const double turn = next.value - last.value;
-  if (is_new || next.stamp <= last.stamp || !(std::abs(turn) > kHalfTurn)) return;
-  if (!joint.limits && isOfOneTurn(last.value, next.value)) {
-    if (std::abs(std::remainder(turn, 2 * kPi)) <= kMaxStep) return;
-  } else if (std::abs(turn) <= kMaxTurn) {
-    const double steps = std::ceil(std::abs(turn) / kMaxStep);
+  if (is_new || next.stamp <= last.stamp) return;
+  const Way way = wayBetween(joint, last, next);
+  if (std::abs(way.turn) > kHalfTurn && std::abs(way.turn) <= kMaxTurn) {
+    const double steps = std::ceil(std::abs(way.turn) / kMaxStep);
     const ros::Duration passed = next.stamp - last.stamp;
     for (int i = 1; i < steps; ++i)
-      result.push_back(
-          transformOf(joint, last.value + turn * (i / steps), last.stamp + passed * (i / steps)));
-    return;
+      result.push_back(transformOf(joint, last.value + way.turn * (i / steps),
+                                   last.stamp + passed * (i / steps)));
   }
-  if (ambiguous_++ == 0) first_ambiguous_ = joint.name;
+  const bool is_known = way.is_sure && !(std::abs(way.turn) > kMaxTurn);
+  if (!is_known && ambiguous_++ == 0) first_ambiguous_ = joint.name;
+}
+
+/// What the joint turns is told by that of its leader. Where that may have been a driver's step
+/// from one end of a turn to the other, the shorter way counts, if it is short.
+JointTransforms::Way JointTransforms::wayBetween(const Joint& joint, const Position& last,
+                                                 const Position& next) {
+  const bool is_of_leader = last.leader == next.leader;
+  const Joint& told = is_of_leader ? *next.leader : joint;
+  const double from = is_of_leader ? last.of_leader : last.value;
+  const double to = is_of_leader ? next.of_leader : next.value;
+  const double factor = is_of_leader ? next.factor : 1;
+  const bool may_begin_anew = told.motion == Motion::kRotation && !told.limits &&
+                              std::abs(to - from) > kHalfTurn && isOfOneTurn(from, to);
+  if (!may_begin_anew) return {factor * (to - from), true};
+  const double shorter = std::remainder(to - from, 2 * kPi);
+  return {factor * shorter, std::abs(shorter) <= kMaxStep};
 }
 
 std::string JointTransforms::loss() const {
@@ -99,7 +112,9 @@ std::string JointTransforms::loss() const {
 }
 
 /// By the way from a joint to the one that it names, and on, until the message has a position.
-std::optional<double> JointTransforms::valueOf(const Joint& joint, const Values& told) const {
+std::optional<JointTransforms::Position> JointTransforms::positionOf(const Joint& joint,
+                                                                     const Values& told,
+                                                                     ros::Time stamp) const {
   if (!hasValue(joint.motion)) return std::nullopt;
   double factor = 1, offset = 0;
   const Joint* leader = &joint;
@@ -110,7 +125,8 @@ std::optional<double> JointTransforms::valueOf(const Joint& joint, const Values&
     factor *= leader->mimic->multiplier;
     leader = joints_.at(leader->mimic->joint);
   }
-  return hasValue(leader->motion) ? std::optional(factor * found->second + offset) : std::nullopt;
+  if (!hasValue(leader->motion)) return std::nullopt;
+  return Position{leader, factor, found->second, factor * found->second + offset, stamp};
 }
 
 TransformView JointTransforms::transformOf(const Joint& joint, double value,

@@ -44,14 +44,24 @@ class JointTransforms {
  private:
   using Values = std::map<std::string, double>;  // by the name of the joint
 
-  /// The position of a joint in a message.
+  /// The position of a joint in a message: `factor` times that of the leader, and an offset.
   struct Position {
+    const Joint* leader;  ///< the joint that the message has; maybe the joint itself
+    double factor;
+    double of_leader;
     double value;
     ros::Time stamp;
   };
 
+  /// By how much a joint turned between two messages [rad].
+  struct Way {
+    double turn;
+    bool is_sure;
+  };
+
   void addTurn(const Joint& joint, const Position& next, std::vector<TransformView>& result);
-  std::optional<double> valueOf(const Joint& joint, const Values& told) const;
+  static Way wayBetween(const Joint& joint, const Position& last, const Position& next);
+  std::optional<Position> positionOf(const Joint& joint, const Values& told, ros::Time stamp) const;
   TransformView transformOf(const Joint& joint, double value, ros::Time stamp) const;
 
   Robot robot_;
