@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the boxes of a link_bounds_publisher: red where one overlaps another, else blue.
+"""Draws the boxes of a link_bounds_publisher: red where one overlaps another, yellow where it is
+incomplete, so that nothing is known of the rest, else blue. When that node has ended, nothing.
 
 Subscribes to ~boxes and ~overlaps of link_bounds_publisher, publishes ~markers
 (visualization_msgs/MarkerArray) below its own name. Parameters: ~rate (Hz, default 30), ~only_links
@@ -19,11 +20,11 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
-from demo_arguments import check_arguments, run, run_regularly  # noqa: E402
+from demo_arguments import check_arguments, has_publisher, run, run_regularly  # noqa: E402
 
 QUADS = ((1, 3, 7, 5), (0, 4, 6, 2), (2, 6, 7, 3), (0, 1, 5, 4), (4, 5, 7, 6), (0, 2, 3, 1))
 EDGES = [(a, b) for a, b in itertools.combinations(range(8), 2) if bin(a ^ b).count('1') == 1]
-COLORS = {'free': (0.1, 0.7, 1.0), 'overlapping': (1.0, 0.15, 0.1)}
+COLORS = {'free': (0.1, 0.7, 1.0), 'overlapping': (1.0, 0.15, 0.1), 'incomplete': (1.0, 0.8, 0.1)}
 FACE_ALPHA, EDGE_WIDTH = 0.2, 0.004  # -, m
 OBJECT = re.compile(r'.*/-?\d+|/.*/.*', re.DOTALL)  # a link of such a name counts as an object
 
@@ -67,20 +68,31 @@ def drawings(boxes, overlaps, only_links):
     if only_links:
         drawn = [box for box in drawn if is_link(box.name)]
         pairs = [pair for pair in pairs if is_link(pair[0]) != is_link(pair[1])]
-    hit = {name for pair in pairs for name in pair}
+    states = dict.fromkeys(boxes.incomplete, 'incomplete')
+    states.update((name, 'overlapping') for pair in pairs for name in pair)
     result = []
     for state in COLORS:
-        shown = [box for box in drawn if (box.name in hit) == (state == 'overlapping')]
+        shown = [box for box in drawn if states.get(box.name, 'free') == state]
         for kind, points_of in ((Marker.TRIANGLE_LIST, faces), (Marker.LINE_LIST, edges)):
             points = [point for box in shown for point in points_of(box)]
             result.append(drawing(boxes.header, state, kind, points))
     return MarkerArray(result)
 
 
-class Newest:
-    """The last message of each topic, for the thread that draws."""
+class OverlapColors:
+    """Draws the last message of each topic."""
 
     def __init__(self):
+        self.only_links = rospy.get_param('~only_links', False)
+        self.forget()
+        self.publisher = rospy.Publisher('~markers', MarkerArray, queue_size=10)
+        node = 'link_bounds_publisher/'
+        self.topic = rospy.Subscriber(node + 'boxes', AxisAlignedBoxArray, self.take_boxes,
+                                      queue_size=1, tcp_nodelay=True)
+        rospy.Subscriber(node + 'overlaps', BoxOverlapArray, self.take_overlaps, queue_size=1,
+                         tcp_nodelay=True)
+
+    def forget(self):
         self.boxes, self.overlaps = None, BoxOverlapArray()
 
     def take_boxes(self, message):
@@ -89,23 +101,20 @@ class Newest:
     def take_overlaps(self, message):
         self.overlaps = message
 
+    def publish(self):
+        if self.boxes is None:
+            return
+        if has_publisher(self.topic):
+            self.publisher.publish(drawings(self.boxes, self.overlaps, self.only_links))
+        else:
+            self.forget()
+            self.publisher.publish(MarkerArray([Marker(action=Marker.DELETEALL)]))
+
 
 def main():
     check_arguments(__doc__)
     rospy.init_node('overlap_colors')
-    newest = Newest()
-    rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, newest.take_boxes,
-                     queue_size=1, tcp_nodelay=True)
-    rospy.Subscriber('link_bounds_publisher/overlaps', BoxOverlapArray, newest.take_overlaps,
-                     queue_size=1, tcp_nodelay=True)
-    only_links = rospy.get_param('~only_links', False)
-    publisher = rospy.Publisher('~markers', MarkerArray, queue_size=10)
-
-    def publish():
-        if newest.boxes:
-            publisher.publish(drawings(newest.boxes, newest.overlaps, only_links))
-
-    run_regularly(30, publish)
+    run_regularly(30, OverlapColors().publish)
 
 
 if __name__ == '__main__':

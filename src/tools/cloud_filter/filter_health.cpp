@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -19,7 +20,8 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr std::size_t kMaxReasons = 20;  // lines in one status
+constexpr std::size_t kMaxReasons = 20;  // rows in one status, and one for the others
+constexpr char kOtherReasons[] = "other reasons";
 
 std::string text(double value, int decimals) {
   std::ostringstream out;
@@ -48,7 +50,12 @@ void FilterHealth::addFiltered(std::size_t points, std::size_t robot_points, dou
 }
 
 void FilterHealth::addReason(const std::string& reason, Reasons& reasons) {
-  if (reasons.size() < kMaxReasons || reasons.count(reason) > 0) ++reasons[reason];
+  static const std::regex times(R"(-?\d+\.\d+ s)");
+  const std::string key = std::regex_replace(reason, times, "");
+  const bool has_place = reasons.size() < kMaxReasons || reasons.count(key) > 0;
+  Reason& found = reasons[has_place ? key : kOtherReasons];
+  found.text = has_place ? reason : kOtherReasons;
+  ++found.count;
 }
 
 void FilterHealth::addUnfiltered(const std::string& topic, const std::string& reason,
@@ -122,10 +129,10 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::string& failur
   add(status, "times that a queue of clouds was full", std::to_string(full_));
   add(status, "most messages that waited, last second", std::to_string(max_waiting));
   add(status, "passed unfiltered", std::to_string(passed_));
-  for (const auto& [reason, count] : recent_.unfiltered)
-    add(status, "not filtered: " + reason, std::to_string(count));
-  for (const auto& [reason, count] : recent_.without_nearest)
-    add(status, "no ~nearest: " + reason, std::to_string(count));
+  for (const auto& [key, reason] : recent_.unfiltered)
+    add(status, "not filtered: " + reason.text, std::to_string(reason.count));
+  for (const auto& [key, reason] : recent_.without_nearest)
+    add(status, "no ~nearest: " + reason.text, std::to_string(reason.count));
   if (robot) {
     add(status, "left out", robot->left_out.empty() ? "none" : robot->left_out);
     for (const std::string& problem : robot->problems)

@@ -59,7 +59,13 @@ class FilterHealth {
                std::size_t max_waiting);
 
  private:
-  using Reasons = std::map<std::string, std::size_t>;
+  struct Reason {
+    std::string text;  ///< the last one
+    std::size_t count = 0;
+  };
+
+  /// By their texts without times, which differ from message to message.
+  using Reasons = std::map<std::string, Reason>;
 
   /// Since the last status.
   struct Recent {

@@ -30,9 +30,18 @@ def center(box):
     return Pose(middle, Quaternion(0, 0, 0, 1))
 
 
+def length(low, high):
+    """Rounded up, so that half of it on both sides of the center contains the box."""
+    middle = (low + high) / 2
+    result = 2 * max(high - middle, middle - low)
+    while middle - result / 2 > low or middle + result / 2 < high:
+        result += max(abs(low), abs(high), result) * 2 ** -52 + 5e-324
+    return result
+
+
 def size(box):
     low, high = box.min, box.max
-    return Vector3(high.x - low.x, high.y - low.y, high.z - low.z)
+    return Vector3(length(low.x, high.x), length(low.y, high.y), length(low.z, high.z))
 
 
 def to_jsk(array, messages):

@@ -18,6 +18,7 @@ using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
 constexpr double kMaxNanoseconds = 9e18;  // of 64 bits
+constexpr double kMinNanoseconds = 1e3;   // smaller ones are seconds of a clock that has just begun
 constexpr double kMaxRelative = 1e9;      // s; tf knows no such time, and more would overflow
 
 /// The first of these that there is counts.
@@ -116,14 +117,22 @@ std::string readTime(const PointCloud2& cloud, CloudPoints& points) {
   return "";
 }
 
+/// The stamp for what is not finite.
+std::int64_t fromRelative(double seconds, std::int64_t stamp) {
+  if (!std::isfinite(seconds)) return stamp;
+  return stamp + std::llround(std::clamp(seconds, -kMaxRelative, kMaxRelative) * 1e9);
+}
+
 /// Seconds after the stamp, or seconds or nanoseconds of ROS time: what is nearest to the stamp,
 /// however far that is, so that tf refuses what is no time. The stamp for what is not finite.
 std::int64_t fromNumber(double value, std::int64_t stamp) {
+  if (!std::isfinite(value)) return stamp;
   const double stamp_seconds = static_cast<double>(stamp) * 1e-9;
   const double as_relative = std::abs(value);
   const double as_seconds = std::abs(value - stamp_seconds);
-  const double as_nanoseconds = std::abs(value * 1e-9 - stamp_seconds);
-  if (!std::isfinite(value)) return stamp;
+  const double as_nanoseconds = std::abs(value) < kMinNanoseconds
+                                    ? std::numeric_limits<double>::infinity()
+                                    : std::abs(value * 1e-9 - stamp_seconds);
   if (as_relative <= std::min(as_seconds, as_nanoseconds)) return stamp + std::llround(value * 1e9);
   if (as_seconds <= as_nanoseconds) {
     // Seconds and their fraction apart: in nanoseconds, the product would lose digits.
@@ -187,11 +196,11 @@ std::int64_t CloudPoints::timeOf(const std::uint8_t* bytes) const {
     case NumberType::kInt32:
       return stamp + read<std::int32_t>(at);
     case NumberType::kFloat32:
-      return fromNumber(read<float>(at), stamp);
+      return fromRelative(read<float>(at), stamp);
     case NumberType::kFloat64:
       return fromNumber(read<double>(at), stamp);
     case NumberType::kRelativeSeconds:
-      return stamp + std::llround(std::clamp(read<double>(at), -kMaxRelative, kMaxRelative) * 1e9);
+      return fromRelative(read<double>(at), stamp);
   }
   return stamp;
 }

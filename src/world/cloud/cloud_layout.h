@@ -8,8 +8,9 @@
 //   time                  float32  seconds after the header's stamp, or before it: Velodyne
 //   timestamp             float64  seconds of ROS time: Hesai, RoboSense; nanoseconds: Livox
 //
-// So whole numbers are nanoseconds after the header's stamp. A floating-point number is seconds
-// after it, or seconds or nanoseconds of ROS time: what is nearest to the stamp.
+// So whole numbers are nanoseconds after the header's stamp, and float32 are seconds after it, for
+// they could not tell ROS time. A float64 is seconds after it, or seconds or nanoseconds of ROS
+// time: what is nearest to the stamp.
 #pragma once
 
 #include <sensor_msgs/LaserScan.h>
@@ -24,8 +25,8 @@
 
 namespace link_bounds {
 
-/// Floats of clouds may be seconds after the stamp or ROS time; relative seconds are after the
-/// stamp.
+/// A float64 of a cloud may be seconds after the stamp or ROS time; relative seconds are a float64
+/// after the stamp.
 enum class NumberType { kFloat32, kFloat64, kInt32, kUint32, kRelativeSeconds };
 
 struct NumberField {

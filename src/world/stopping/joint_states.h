@@ -22,9 +22,10 @@ struct JointReport {
 class JointStates {
  public:
   /// What is not finite and what has no stamp is ignored, and so are velocities beyond kMaxVelocity
-  /// and further joints beyond kMaxJoints. A stamp of long before the newest one of the joint is a fault or of a second
-  /// publisher, and is ignored. kJump of them in a row mean that time jumped back: then all else is
-  /// forgotten of the joint. Others may have a publisher whose clock is right.
+  /// and further joints beyond kMaxJoints. A stamp of long before the newest one of the joint is a
+  /// fault or of a second publisher, and is ignored. kJump of them in a row mean that time jumped
+  /// back: then all else is forgotten of the joint. Others may have a publisher whose clock is
+  /// right.
   void add(const std::string& joint, const JointReport& report);
 
   void clear();

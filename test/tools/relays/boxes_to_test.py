@@ -2,8 +2,10 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """boxes_to.py beside message packages that are generated here: boxes_to_test.py BOXES_TO"""
+import importlib.util
 import os
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
@@ -18,6 +20,7 @@ from genpy.generator import MsgGenerator
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
 from own_master import OwnMasterTest
+from page_testing import PACKAGE
 from std_msgs.msg import Header
 
 # The fields of the released packages: jsk_recognition_msgs 1.2, vision_msgs 0.0.2.
@@ -120,6 +123,26 @@ class BoxesTo(OwnMasterTest):
         both, *_ = self.relayed('vision', BoundingBox3DArray)
         self.assertEqual([numbers(box.center, box.size) for box in both.boxes],
                          [ARM_NUMBERS, BASE_NUMBERS])
+
+    def test_half_of_the_size_on_both_sides_contains_the_box(self):
+        path = os.path.join(PACKAGE, 'src', 'tools', 'relays', 'boxes_to.py')
+        spec = importlib.util.spec_from_file_location('boxes_to', path)
+        relay = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(relay)
+        chance = random.Random(1)
+        for _ in range(20_000):
+            far, near = 10 ** chance.uniform(-320, 300), 10 ** chance.uniform(-320, 300)
+            low = chance.uniform(-far, far)
+            high = max(low, low + near * chance.random())
+            box = AxisAlignedBox(min=Point(low, -high, low), max=Point(high, -low, low))
+            center, size = relay.center(box).position, relay.size(box)
+            for axis in 'xyz':
+                a, b = getattr(box.min, axis), getattr(box.max, axis)
+                c, s = getattr(center, axis), getattr(size, axis)
+                self.assertLessEqual(c - s / 2, a)
+                self.assertGreaterEqual(c + s / 2, b)
+                rounding = max(abs(a), abs(b)) * 1e-15 + 1e-322
+                self.assertLessEqual(s, (b - a) * (1 + 1e-15) + rounding)
 
     def test_without_the_package_it_says_what_to_install(self):
         for kind, package in (('jsk', 'jsk_recognition_msgs'), ('vision', 'vision_msgs')):

@@ -170,6 +170,39 @@ TEST(CloudLayout, KnowsTimesThatAreSimulated) {
   }
 }
 
+/// A scan of 0.1 s, begun when the clock has just begun.
+TEST(CloudLayout, KnowsTimesOfAClockThatHasJustBegun) {
+  PointCloud2 cloud;
+  addPlaces(cloud, PointField::FLOAT32, 4);
+  addField(cloud, "time", 16, PointField::FLOAT32);
+  cloud.width = cloud.height = 1;
+  cloud.point_step = cloud.row_step = 24;
+  cloud.data.resize(24, 0);
+  for (const double stamp : {0.001, 0.05, 0.1, 0.15, 5.0}) {
+    cloud.header.stamp = ros::Time(stamp);
+    const auto check = [&](double after) {
+      const CloudLayout layout = layoutOf(cloud);
+      EXPECT_EQ(layout.problem, "");
+      const auto time = static_cast<double>(layout.points.timeOf(layout.points.point(0)));
+      EXPECT_NEAR(time * 1e-9 - stamp, after, 1e-7) << stamp;
+    };
+    for (const float after : {-0.001f, 0.02f, 0.06f, 0.1f}) {
+      cloud.fields.back().name = "time";
+      cloud.fields.back().datatype = PointField::FLOAT32;
+      std::memcpy(cloud.data.data() + 16, &after, 4);
+      check(after);
+      if (after < 0) continue;
+      const double seconds = stamp + after, nanoseconds = seconds * 1e9;
+      cloud.fields.back().name = "timestamp";
+      cloud.fields.back().datatype = PointField::FLOAT64;
+      std::memcpy(cloud.data.data() + 16, &seconds, 8);
+      check(after);
+      std::memcpy(cloud.data.data() + 16, &nanoseconds, 8);
+      check(after);
+    }
+  }
+}
+
 /// In the order of doc/clouds.md.
 TEST(CloudLayout, TheFirstOfSeveralTimesCounts) {
   PointCloud2 cloud;

@@ -112,7 +112,9 @@ std::string toJson(const PathTable& table, const PathSegment& segment) {
   std::string text = "{\"from\": " + std::to_string(segment.from) +
                      ", \"to\": " + std::to_string(segment.to) + ", \"verdict\": \"" +
                      toText(proof.verdict) + "\", \"clearance\": " + exactNumber(proof.clearance);
-  if (isUnknown(proof)) return text + ", \"nearest\": null, \"at\": null, \"pose\": {}}";
+  if (isUnknown(proof))
+    return text +
+           ", \"nearest\": null, \"first\": null, \"second\": null, \"at\": null, \"pose\": {}}";
   return text + ", \"nearest\": " + exactNumber(proof.nearest) +
          ", \"first\": " + jsonString(table.bodies[proof.first]) +
          ", \"second\": " + jsonString(table.bodies[proof.second]) +
