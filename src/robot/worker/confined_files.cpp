@@ -57,15 +57,23 @@ std::optional<struct stat> allowedStatus(const std::string& root, int descriptor
   return status;
 }
 
+}  // namespace
+
+ConfinedFiles::ConfinedFiles(const MeshFile& mesh, std::uint64_t max_bytes, BytesHandler on_bytes)
+    : root_(mesh.root),
+      folder_(std::filesystem::path(mesh.path).parent_path().string() + "/"),
+      max_bytes_(max_bytes),
+      on_bytes_(std::move(on_bytes)) {}
+
 /// O_NONBLOCK: does not wait for the writer of a pipe. O_NOCTTY: takes no controlling terminal. A
 /// glTF names its buffers by URIs, which assimp does not decode.
-int openForReading(const char* path) {
+int ConfinedFiles::openForReading(const std::string& path) const {
   constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
-  const int descriptor = open(path, kFlags);
-  return descriptor >= 0 ? descriptor : open(percentDecoded(path).c_str(), kFlags);
+  const int descriptor = open(path.c_str(), kFlags);
+  if (descriptor >= 0 || path.rfind(folder_, 0) != 0) return descriptor;
+  const std::string name = percentDecoded(path.substr(folder_.size()));
+  return open((folder_ + name).c_str(), kFlags);
 }
-
-}  // namespace
 
 bool ConfinedFiles::Exists(const char* path) const {
   const int descriptor = openForReading(path);

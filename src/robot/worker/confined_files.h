@@ -15,15 +15,14 @@
 
 namespace link_bounds {
 
-/// Opens for reading only, and only regular files whose real path lies below `root`, because a mesh
-/// may name any file of the machine as its material or buffer. Refuses files that have more than
-/// `max_bytes` when they are opened.
+/// Opens for reading only, and only regular files whose real path lies below the mesh's root,
+/// because a mesh may name any file of the machine as its material or buffer. Refuses files that
+/// have more than `max_bytes` when they are opened.
 class ConfinedFiles : public Assimp::IOSystem {
  public:
   /// `on_bytes` may be null. It is called before each file is read, with the sum of the sizes of
   /// all files opened so far and this one.
-  ConfinedFiles(std::string root, std::uint64_t max_bytes, BytesHandler on_bytes)
-      : root_(std::move(root)), max_bytes_(max_bytes), on_bytes_(std::move(on_bytes)) {}
+  ConfinedFiles(const MeshFile& mesh, std::uint64_t max_bytes, BytesHandler on_bytes);
 
   /// Which file was refused because of its size, in words; "" if none was.
   const std::string& tooLarge() const { return too_large_; }
@@ -34,9 +33,11 @@ class ConfinedFiles : public Assimp::IOSystem {
   void Close(Assimp::IOStream* file) override;
 
  private:
+  int openForReading(const std::string& path) const;
   bool mayBeRead(const char* path, const struct stat& status);
 
   std::string root_;
+  std::string folder_;  ///< of the mesh, with a slash at its end; assimp's names begin with it
   std::uint64_t max_bytes_;
   BytesHandler on_bytes_;
   std::string too_large_;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
 
 #include "link_bounds/robot/worker/mesh_process.h"
 
@@ -38,12 +37,9 @@ class JsonReader {
  private:
   std::vector<std::pair<std::string, Json>> members(int depth) {
     const bool is_object = take() == '{';
-    std::set<std::string> names;
     std::vector<std::pair<std::string, Json>> result;
     for (skipBlanks(); peek() != '}' && peek() != ']'; skipBlanks()) {
       std::string name = is_object ? string() : std::to_string(result.size());
-      if (is_object && !names.insert(name).second)
-        throw MeshError("its JSON has two members \"" + name + "\" in one object");
       skipBlanks();
       if (is_object && peek() == ':') take();
       result.emplace_back(std::move(name), value(depth + 1));

@@ -22,8 +22,7 @@ struct Json {
   bool has(std::string_view name) const;
 };
 
-/// The first value of a text. Throws MeshError if it does not end, is nested too deeply, or has an
-/// object with two members of one name.
+/// The first value of a text. Throws MeshError if it does not end, or is nested too deeply.
 Json parseJson(std::string_view text);
 
 }  // namespace link_bounds

@@ -182,7 +182,7 @@ TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
   auto* const log = new LossLog;
   Assimp::DefaultLogger::set(log);  // which owns it
   Assimp::Importer importer;
-  auto* files = new ConfinedFiles(file.root, max_bytes, on_bytes);
+  auto* files = new ConfinedFiles(file, max_bytes, on_bytes);
   importer.SetIOHandler(files);
   refuseMisread(*files, file.path);
   // Otherwise assimp adds a mesh that shows the nodes of a file without geometry.

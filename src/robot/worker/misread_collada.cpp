@@ -168,7 +168,7 @@ class ColladaCheck {
     const std::string place = "the <" + std::string(tags.name()) + "> of " + tags.place();
     if (count && static_cast<double>(words.countNumbers(place)) > *count && others_ == 0)
       throw MeshError("it has too many numbers in " + place);
-    if (tags.name() == "rotate" && others_ == 0) checkAxis(text, place);
+    if (tags.name() == "rotate" && others_ == 0 && isInNode()) checkAxis(text, place);
     for (auto word = words.next(); !word.empty(); word = words.next()) {
       requireIndex(word, place);
       if (!(primitives_ > 0) && others_ == 0)
@@ -176,16 +176,20 @@ class ColladaCheck {
     }
   }
 
+  /// Whether the open element is a child of a node.
+  bool isInNode() const { return open_.size() > 1 && open_[open_.size() - 2] == "node"; }
+
   /// Assimp scales by the length of an axis.
   static void checkAxis(const std::string& text, const std::string& place) {
-    constexpr double kMaxError = 1e-3;
+    constexpr double kMaxError = 1e-6;
     Words words(text);
     std::array<double, 4> numbers{};
     for (double& number : numbers)
       number = std::strtod(std::string(words.next()).c_str(), nullptr);
     const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
     if (numbers[3] != 0 && !(std::abs(length - 1) <= kMaxError))
-      throw MeshError("the axis has not the length 1 in " + place + "; assimp scales by it");
+      throw MeshError("the axis has not the length 1 in " + place +
+                      ", by which assimp scales; write six digits or more");
   }
 
   void checkPosition(const std::string& source) const {

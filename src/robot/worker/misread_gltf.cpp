@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,10 +34,10 @@ constexpr char kFloat[] = "5126";
 /// Those that it reads as indices: unsigned ones of 8, 16 and 32 bits.
 constexpr std::array kTypesOfIndices{"5121", "5123", "5125"};
 
-/// Members that may be in objects that place geometry.
+/// Members that may be in objects that place geometry; "skeletons" by assimp's own exporter.
 constexpr std::string_view kOfAll = " extensions extras name ";
 constexpr std::string_view kOfNode =
-    " camera children matrix mesh rotation scale skin translation weights ";
+    " camera children jointName matrix mesh rotation scale skeletons skin translation weights ";
 constexpr std::string_view kOfScene = " nodes ";
 constexpr std::string_view kOfMesh = " primitives weights ";
 constexpr std::string_view kOfPrimitive = " attributes indices material mode targets ";
@@ -50,8 +51,16 @@ constexpr std::pair<const char*, std::size_t> kNumbersOfNode[] = {
 
 constexpr double kSizeOfPosition = 12;  // bytes
 
+/// Of two, assimp reads the first one.
+void refuseTwice(const Json& object, const std::string& what) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : object.members)
+    if (!names.insert(name).second) throw MeshError(what + " has two members " + inQuotes(name));
+}
+
 /// `known` are between blanks. `what` is the object.
 void checkMembers(const Json& object, std::string_view known, const std::string& what) {
+  refuseTwice(object, what);
   for (const auto& [name, value] : object.members) {
     const std::string word = " " + name + " ";
     if (known.find(word) == known.npos && kOfAll.find(word) == kOfAll.npos)
@@ -181,6 +190,7 @@ void checkGltf(Lines& lines) {
     }
   }
   if (is_first_version) return;  // its objects have other members
+  refuseTwice(document, "its JSON");
   checkAll(document["scenes"], kOfScene, "scene");
   checkAll(document["nodes"], kOfNode, "node");
   checkAll(document["accessors"], kOfAccessor, "accessor");

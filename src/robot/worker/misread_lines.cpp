@@ -100,9 +100,10 @@ void checkStl(Lines& lines) {
     std::string_view word = words.next();
     const bool is_part = word == "solid";
     is_lost |= is_over && !is_part;
-    if (is_lost && inSmallLetters(std::string(word)) == "vertex")
-      throw MeshError("assimp leaves out " + lines.place() +
-                      ", because no line \"solid\" follows an \"endsolid\"");
+    for (; is_lost && !word.empty(); word = words.next())
+      if (inSmallLetters(std::string(word)) == "vertex")
+        throw MeshError("assimp leaves out " + lines.place() +
+                        ", because no line \"solid\" follows an \"endsolid\"");
     is_over = is_lost;
     if (is_part) words.next();  // its name
     while (!word.empty() && !is_over) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -27,6 +26,13 @@ std::string text(double value, int decimals) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(decimals) << value;
   return out.str();
+}
+
+/// Times differ from message to message.
+std::string withoutNumbers(std::string text) {
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  text.erase(std::remove_if(text.begin(), text.end(), is_digit), text.end());
+  return text;
 }
 
 bool filtersAnything(const FilteredRobot& robot) {
@@ -50,8 +56,7 @@ void FilterHealth::addFiltered(std::size_t points, std::size_t robot_points, dou
 }
 
 void FilterHealth::addReason(const std::string& reason, Reasons& reasons) {
-  static const std::regex times(R"(-?\d+\.\d+ s)");
-  const std::string key = std::regex_replace(reason, times, "");
+  const std::string key = withoutNumbers(reason);
   const bool has_place = reasons.size() < kMaxReasons || reasons.count(key) > 0;
   Reason& found = reasons[has_place ? key : kOtherReasons];
   found.text = has_place ? reason : kOtherReasons;

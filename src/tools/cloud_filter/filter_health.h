@@ -64,7 +64,7 @@ class FilterHealth {
     std::size_t count = 0;
   };
 
-  /// By their texts without times, which differ from message to message.
+  /// By their texts without digits.
   using Reasons = std::map<std::string, Reason>;
 
   /// Since the last status.

@@ -140,18 +140,21 @@ def timed(command):
 def measure_each(folder, seconds, repetitions):
     """Rows for 50 bags: with one job and with two, which take turns, and a start per bag."""
     bags = [Bag(folder, "each_%02d" % number, LINKS, seconds / 60) for number in range(BAGS)]
-    command = bags[0].command("bag_bounds")
-    command = [command[0], "--each", *command[2:]]
     paths = [bag.path for bag in bags]
+
+    def command(jobs, paths):
+        bags[0].jobs = jobs
+        program_of_one, _, *options = bags[0].command("bag_bounds")
+        return [program_of_one, "--each", *options, *paths]
     runs, lines = {1: [], 2: []}, set()
     for _ in range(repetitions):
         for jobs, times in runs.items():
-            took, out = timed([*command, *paths, "--jobs", str(jobs)])
+            took, out = timed(command(jobs, paths))
             times.append(took)
             lines.add(b"".join(sorted(out.splitlines(True))))
     if len(lines) > 1:
         raise RuntimeError("lines depend on the number of jobs")
-    starts = sum(timed([*command, path, "--jobs", "1"])[0] for path in paths)
+    starts = sum(timed(command(1, [path]))[0] for path in paths)
     row = {"kind": "each", "bags": BAGS, "bag_s": seconds, "links": LINKS,
            "jobs_1_s": runs[1], "jobs_2_s": runs[2], "starts_s": starts,
            "line_bytes": len(lines.pop()) / BAGS,

@@ -281,11 +281,12 @@ TEST(ImportDae, APositionWithAColourIsRefused) {
 }
 
 TEST(ImportDae, AnAxisThatIsNotOfLengthOneIsRefused) {
-  for (const char* const rotation : {"0 0 2 90", "0.5 0.5 0 180", "0 0 0 1", "nan 0 0 1"})
+  for (const char* const rotation :
+       {"0 0 2 90", "0.577 0.577 0.577 120", "0.5 0.5 0 180", "0 0 0 1", "nan 0 0 1"})
     expectRefusedDae(
         dae(kMetres, node("<rotate>" + std::string(rotation) + "</rotate>" + kInstance)),
         "the axis has not the length 1 in the <rotate> of line 1");
-  for (const char* const rotation : {"0 0 0 0", "0.7071 0.7071 0 180"})
+  for (const char* const rotation : {"0 0 0 0", "0.707107 0.707107 0 180"})
     EXPECT_EQ(
         importDae(dae(kMetres, node("<rotate>" + std::string(rotation) + "</rotate>" + kInstance)))
             .triangles.size(),

@@ -242,6 +242,8 @@ TEST_F(ImportRefusals, ADamagedStlText) {
   std::string four = part;
   four.replace(four.find("0.000000"), 8, "0.0 0000");
   expectRefused("a.stl", four, "more than 3 numbers, in line 4");
+  const std::string line = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 9";
+  expectRefused("a.stl", part + "# part 2\n" + line + " endloop endfacet\n", "no line \"solid\"");
   expectRefused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 .1 8 9\n3 0 1 2\n", "line 2 of vertices");
 }
 
@@ -596,6 +598,8 @@ TEST_F(ImportRefusals, ABufferIsNamedByAUri) {
   folder_.write("meshes/50%20.bin", threeVertices());
   EXPECT_EQ(import("a.gltf", gltf("50%20.bin")).vertices.size(), 3u) << "that is its name";
   expectRefused("a.gltf", gltf("%2e%2e/secret.bin"));
+  folder_.write("meshes/v 1/other data.bin", threeVertices());
+  expectRefused("v%201/a.gltf", gltf("other%20data.bin"), "could not open");
 }
 
 /// Assimp leaves them out, or reads other numbers.
@@ -612,7 +616,7 @@ TEST_F(ImportRefusals, ADamagedGltf) {
   expect(node, R"({"mesh":0,"translation":["0","0","5"]})",
          "the translation of node 0 is not of 3");
   expect(node, R"({"mesh":0,"rotation":7})", "the rotation of node 0 is not of 4 numbers");
-  expect(node, R"({"mesh":0,"mesh":0})", "two members \"mesh\" in one object");
+  expect(node, R"({"mesh":0,"mesh":0})", "node 0 has two members \"mesh\"");
   for (const char* const type : {"VEC2", "vec3", ""})
     expect("VEC3", type, "not VEC3");
   expect("\"count\"", "\"cound\"", "accessor 0 has the member \"cound\"");

@@ -106,7 +106,8 @@ class JointStatesTest(BagBoundsTest):
                 ('continuous', 'revolute', -1, 2.9, back, ENTERED),
                 ('continuous', 'continuous', 1, 2.9, back, ENTERED),
                 ('continuous', 'revolute', 1, 2.9, front, 0),
-                ('continuous', 'revolute', 1, 2, front, INCOMPLETE)):
+                ('continuous', 'revolute', 1, 2, front, INCOMPLETE),
+                ('continuous', 'continuous', 1.5, 2.9, front, INCOMPLETE)):
             self.urdf = self.write('arm.urdf', '<robot name="r"><link name="base"/><link name="a"/>'
                                    '<link name="tip"><visual><origin xyz="1 0 0"/><geometry><box size=".1 .1 .1"/>'
                                    '</geometry></visual></link>%s%s</robot>' % (

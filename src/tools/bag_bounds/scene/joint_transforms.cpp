@@ -99,6 +99,8 @@ JointTransforms::Way JointTransforms::wayBetween(const Joint& joint, const Posit
                               std::abs(to - from) > kHalfTurn && isOfOneTurn(from, to);
   if (!may_begin_anew) return {factor * (to - from), true};
   const double shorter = std::remainder(to - from, 2 * kPi);
+  const bool is_whole = factor == std::round(factor);  // else it stands elsewhere after a turn
+  if (!is_whole) return {std::remainder(next.value - last.value, 2 * kPi), false};
   return {factor * shorter, std::abs(shorter) <= kMaxStep};
 }
 
