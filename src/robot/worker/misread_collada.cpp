@@ -91,6 +91,7 @@ class ColladaCheck {
   void end(const XmlTags& tags) {
     const std::string_view name = tags.name();
     if (name == "accessor" && !ends_.empty() && has_items_) ends_.back().second += params_;
+    if (name == "source") source_.clear();
     if (name == "vertices" && !has_positions_ && others_ == 0)
       throw MeshError("its <vertices> have no positions, before the end of " + tags.place());
     if (isOther(name)) --others_;

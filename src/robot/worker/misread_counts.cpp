@@ -192,21 +192,21 @@ struct PlyHeader {
   std::vector<Elements> elements;
 };
 
-/// Assimp leaves out the properties of an element that follow a comment. That does no harm to other
-/// numbers of a text than coordinates.
-void checkProperty(const Property& property, bool is_after_comment, bool is_text) {
+/// Assimp leaves out the properties of an element that follow a comment or another line. That does
+/// no harm to other numbers of a text than coordinates.
+void checkProperty(const Property& property, bool is_after_other, bool is_text) {
   sizeOf(property.type);
   if (property.is_list) sizeOf(property.length_type);
   const bool is_harmless = is_text && !property.is_list && property.name != "x" &&
                            property.name != "y" && property.name != "z";
-  if (is_after_comment && !is_harmless)
-    throw MeshError("a comment of its header stands between an element and its property " +
-                    inQuotes(property.name) + ", where assimp misreads it; remove the comment");
+  if (is_after_other && !is_harmless)
+    throw MeshError("a comment or another line stands between an element and its property " +
+                    inQuotes(property.name) + ", where assimp misreads it; remove that line");
 }
 
 PlyHeader readPlyHeader(Lines& lines) {
   PlyHeader header;
-  bool is_after_comment = false;
+  bool is_first = true, is_after_other = false;
   for (;;) {
     const auto line = lines.next(kMaxHeaderLine);
     if (!line) refuseCutOff("has no end_header");
@@ -216,10 +216,9 @@ PlyHeader readPlyHeader(Lines& lines) {
     if (keyword == "end_header") return header;
     if (std::find(kPlyWords.begin(), kPlyWords.end(), word) == kPlyWords.end())
       throw MeshError(inQuotes(keyword) + " is no word of its header");
-    if (keyword == "comment" || keyword == "obj_info") is_after_comment = true;
     if (keyword == "format") {
       header.format = first;
-      if (is_after_comment)
+      if (is_after_other)
         throw MeshError(
             "a comment stands before the format in its header, where assimp misreads it; remove "
             "the comment");
@@ -228,15 +227,16 @@ PlyHeader readPlyHeader(Lines& lines) {
       if (first == "tristrips")
         throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
       header.elements.push_back({first, countOf(second), {}});
-      is_after_comment = false;
     }
+    if (keyword != "property" && !is_first) is_after_other = keyword != "element";
+    is_first = false;
     if (keyword != "property" || header.elements.empty()) continue;
     Property property;
     property.is_list = first == "list";
     property.length_type = property.is_list ? second : "";
     property.type = property.is_list ? std::string(words.next()) : first;
     property.name = property.is_list ? std::string(words.next()) : second;
-    checkProperty(property, is_after_comment, header.format == "ascii");
+    checkProperty(property, is_after_other, header.format == "ascii");
     header.elements.back().properties.push_back(std::move(property));
   }
 }

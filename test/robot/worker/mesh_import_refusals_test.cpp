@@ -189,11 +189,15 @@ TEST_F(ImportRefusals, APlyWithACommentBeforeAProperty) {
     std::string text = good;
     return text.insert(text.find(behind) + behind.size(), line + "\n");
   };
+  for (const std::string line : {"Comment", "OBJ_INFO a", "ply", "PLY", "format ascii 1.0",
+                                 "Format ascii 1.0", "Element edge 0", "Property float y"})
+    for (const char* const behind : {"float x\n", "float y\n"})
+      expectRefused("a.ply", with(behind, line), "another line stands between");
   for (const std::string line : {"comment a b", "obj_info a b", "comment"}) {
     for (const char* const behind : {"ascii 1.0\n", "float z\n", "indices\n"})
       EXPECT_EQ(import("a.ply", with(behind, line)).triangles.size(), 1u) << behind;
     for (const char* const behind : {"vertex 3\n", "float x\n", "float y\n", "face 1\n"})
-      expectRefused("a.ply", with(behind, line), "a comment of its header stands between");
+      expectRefused("a.ply", with(behind, line), "a comment or another line stands between");
     expectRefused("a.ply", with("ply\n", line), "a comment stands before the format");
   }
   expectRefused("a.ply", with("float x\n", "comment\nproperty float q"), "property \"y\"");
