@@ -140,7 +140,7 @@ MESH = {
     'dae_unit_nan.dae': lost('not a finite number'),
     'dae_node_matrix_nan.dae': lost('not a finite number'),
     'dae_lines_only.dae': lost('no triangle'),
-    'dae_missing_geometry.dae': lost('no triangle'),
+    'dae_missing_geometry.dae': lost('Unable to find geometry'),
     'dae_unit_zero.dae': lost('unit of length is zero'),
     'real_igea_tristrips.ply': lost('triangle strips'),
     'dae_billion_laughs.dae': bad_at_ten([0, 0, 0], [1, 1, 0]),
