@@ -150,13 +150,19 @@ TEST(CloudLayout, KnowsTheTimesOfCommonDrivers) {
   EXPECT_EQ(timeOf<float>("time", PointField::FLOAT32, kNan), 0);
 }
 
-TEST(CloudLayout, KnowsTimesThatAreSimulated) {
+/// One point, whose time is in bytes 16 to 23.
+PointCloud2 cloudWithTime(const char* name, std::uint8_t type) {
   PointCloud2 cloud;
   addPlaces(cloud, PointField::FLOAT32, 4);
-  addField(cloud, "timestamp", 16, PointField::FLOAT64);
+  addField(cloud, name, 16, type);
   cloud.width = cloud.height = 1;
   cloud.point_step = cloud.row_step = 24;
   cloud.data.resize(24, 0);
+  return cloud;
+}
+
+TEST(CloudLayout, KnowsTimesThatAreSimulated) {
+  PointCloud2 cloud = cloudWithTime("timestamp", PointField::FLOAT64);
   for (const double stamp : {0.5, 9.0, 3600.0, 1e5, 1e6}) {
     cloud.header.stamp = ros::Time(stamp);
     for (const double after : {-0.1, -0.01, 0.0, 0.01, 0.1}) {
@@ -172,33 +178,25 @@ TEST(CloudLayout, KnowsTimesThatAreSimulated) {
 
 /// A scan of 0.1 s, begun when the clock has just begun.
 TEST(CloudLayout, KnowsTimesOfAClockThatHasJustBegun) {
-  PointCloud2 cloud;
-  addPlaces(cloud, PointField::FLOAT32, 4);
-  addField(cloud, "time", 16, PointField::FLOAT32);
-  cloud.width = cloud.height = 1;
-  cloud.point_step = cloud.row_step = 24;
-  cloud.data.resize(24, 0);
+  PointCloud2 relative = cloudWithTime("time", PointField::FLOAT32);
+  PointCloud2 absolute = cloudWithTime("timestamp", PointField::FLOAT64);
   for (const double stamp : {0.001, 0.05, 0.1, 0.15, 5.0}) {
-    cloud.header.stamp = ros::Time(stamp);
-    const auto check = [&](double after) {
+    relative.header.stamp = absolute.header.stamp = ros::Time(stamp);
+    const auto check = [stamp](const PointCloud2& cloud, double after) {
       const CloudLayout layout = layoutOf(cloud);
       EXPECT_EQ(layout.problem, "");
       const auto time = static_cast<double>(layout.points.timeOf(layout.points.point(0)));
       EXPECT_NEAR(time * 1e-9 - stamp, after, 1e-7) << stamp;
     };
     for (const float after : {-0.001f, 0.02f, 0.06f, 0.1f}) {
-      cloud.fields.back().name = "time";
-      cloud.fields.back().datatype = PointField::FLOAT32;
-      std::memcpy(cloud.data.data() + 16, &after, 4);
-      check(after);
+      std::memcpy(relative.data.data() + 16, &after, 4);
+      check(relative, after);
       if (after < 0) continue;
       const double seconds = stamp + after, nanoseconds = seconds * 1e9;
-      cloud.fields.back().name = "timestamp";
-      cloud.fields.back().datatype = PointField::FLOAT64;
-      std::memcpy(cloud.data.data() + 16, &seconds, 8);
-      check(after);
-      std::memcpy(cloud.data.data() + 16, &nanoseconds, 8);
-      check(after);
+      for (const double number : {seconds, nanoseconds}) {
+        std::memcpy(absolute.data.data() + 16, &number, 8);
+        check(absolute, after);
+      }
     }
   }
 }

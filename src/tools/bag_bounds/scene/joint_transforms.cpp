@@ -86,8 +86,9 @@ void JointTransforms::addTurn(const Joint& joint, const Position& next,
   if (!is_known && ambiguous_++ == 0) first_ambiguous_ = joint.name;
 }
 
-/// What the joint turns is told by that of its leader. Where that may have been a driver's step
-/// from one end of a turn to the other, the shorter way counts, if it is short.
+/// A joint turns as far as its leader, times the factor. Drivers may send the angle of a continuous
+/// leader as one of a single turn: where it steps from one end to the other, it went the shorter
+/// way, if that is short.
 JointTransforms::Way JointTransforms::wayBetween(const Joint& joint, const Position& last,
                                                  const Position& next) {
   const bool is_of_leader = last.leader == next.leader;
