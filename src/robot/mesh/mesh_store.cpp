@@ -65,15 +65,16 @@ MeshStore::Version MeshStore::versionOf(const std::string& path) {
 }
 
 /// Waits until a tick has passed since the last write, so that every later write gives a new
-/// version; but not for ever, if somebody goes on writing.
-MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
+/// version; but for a second at most, if somebody goes on writing, and not once it is cancelled.
+MeshStore::Version MeshStore::settledVersionOf(const std::string& path,
+                                               const std::function<bool()>& is_cancelled) {
   const auto is_settled = [](const FileVersion& file) {
     const double age = secondsSince(file.changed);
     return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
   };
   for (int ticks = 0;; ++ticks) {
     const Version version = versionOf(path);
-    const bool is_over = ticks == kMaxTicks;
+    const bool is_over = ticks == kMaxTicks || (is_cancelled && is_cancelled());
     if (is_over || std::all_of(version.begin(), version.end(), is_settled)) return version;
     std::this_thread::sleep_for(kFileTick);
   }
@@ -95,6 +96,7 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
                              const Request& request) const {
   try {
     const CheckInterrupt deadline = meshDeadline(request.limits, request.is_cancelled);
+    deadline();
     const auto mesh =
         std::make_shared<const TriangleMesh>(importer_(file, request.limits, deadline));
     if (!(versionOf(file.path) == version)) return failure(kChangedReason, MeshFault::kChanged);
@@ -152,7 +154,7 @@ LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcep
 }
 
 LoadedMesh MeshStore::importAndRemember(const MeshFile& file, const Request& request) {
-  const Version version = settledVersionOf(file.path);
+  const Version version = settledVersionOf(file.path, request.is_cancelled);
   LoadedMesh mesh = import(file, version, request);
   remember(file, version, request, mesh);
   return mesh;

@@ -6,6 +6,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iomanip>
 #include <sstream>
 #include <utility>
@@ -28,11 +29,18 @@ std::string text(double value, int decimals) {
   return out.str();
 }
 
-/// Times differ from message to message.
-std::string withoutNumbers(std::string text) {
-  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
-  text.erase(std::remove_if(text.begin(), text.end(), is_digit), text.end());
-  return text;
+/// Without words that are numbers: times differ from message to message. Digits of names stay.
+std::string withoutNumbers(const std::string& text) {
+  std::string result;
+  bool is_number = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_digit = '0' <= text[i] && text[i] <= '9';
+    const char before = i > 0 ? text[i - 1] : ' ';
+    const bool begins = before == ' ' || before == '(' || before == '-';
+    is_number = is_digit ? is_number || begins : is_number && text[i] == '.';
+    if (!is_number) result += text[i];
+  }
+  return result;
 }
 
 bool filtersAnything(const FilteredRobot& robot) {

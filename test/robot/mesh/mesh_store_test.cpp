@@ -13,12 +13,14 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "robot/threads/row_threads.h"
 #include "testing/ordinary_user.h"
+#include "testing/patience.h"
 #include "testing/sanitized.h"
 #include "testing/temporary_folder.h"
 
@@ -243,6 +245,45 @@ TEST_F(MeshStoreTest, AChangeRightAfterTheFileWasWrittenIsSeen) {
     });
     EXPECT_FALSE(store.load({file}).at(0).points);
   }
+}
+
+/// Writes a file every millisecond while it lives.
+class Writer {
+ public:
+  explicit Writer(std::string path)
+      : thread_([this, path = std::move(path)] {
+          while (!is_over_) {
+            std::ofstream(path) << "1";
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          }
+        }) {}
+  ~Writer() {
+    is_over_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::atomic<bool> is_over_{false};
+  std::thread thread_;
+};
+
+TEST_F(MeshStoreTest, AFileThatIsWrittenOnAndOnIsNotWaitedForForEver) {
+  const MeshFile file = write("a", "1");
+  std::future<LoadedMesh> loading;  // where it does not end, it does when nobody writes
+  const Writer writer(file.path);
+  loading = std::async(std::launch::async, [&] { return loadOne(file); });
+  EXPECT_EQ(loading.wait_for(deadline()), std::future_status::ready);
+  EXPECT_EQ(imports(), 1);
+}
+
+TEST_F(MeshStoreTest, AFileThatIsWrittenOnAndOnIsNotReadOnceItIsCancelled) {
+  const MeshFile file = write("a", "1");
+  const Writer writer(file.path);
+  int calls = 0;
+  const auto is_cancelled = [&calls] { return ++calls > 2; };
+  const auto mesh = store_.load({file}, nullptr, MeshContent::kPoints, {}, is_cancelled).at(0);
+  EXPECT_TRUE(mesh.is_cancelled);
+  EXPECT_EQ(imports(), 0);
 }
 
 TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {

@@ -397,6 +397,12 @@ class CloudFilter(unittest.TestCase):
         self.wait_refused('tf does not know its frame "nowhere"')
         self.assertEqual(self.messages_of_this_test(self.output), [])
 
+    def test_frames_that_differ_in_a_digit_have_a_row_each(self):
+        for name in "nowhere_1", "nowhere_2":
+            self.clouds.publish(cloud(self.stamp, [(LEFT, 0)], name))
+        for name in "nowhere_1", "nowhere_2":
+            self.wait_refused('tf does not know its frame "%s"' % name)
+
     def test_lies_are_refused_with_words(self):
         for field, value, words in (("point_step", 10, "field z"), ("row_step", 3, "row_step"),
                                     ("is_bigendian", True, "big-endian"), ("height", 9, "data")):

@@ -100,7 +100,8 @@ class MeshStore {
   };
 
   static Version versionOf(const std::string& path);
-  static Version settledVersionOf(const std::string& path);
+  static Version settledVersionOf(const std::string& path,
+                                  const std::function<bool()>& is_cancelled);
   LoadedMesh cached(const MeshFile& file) const;
   LoadedMesh import(const MeshFile& file, const Version& version, const Request& request) const;
   void addTree(const TriangleMesh& mesh, const Request& request, const CheckInterrupt& deadline,
