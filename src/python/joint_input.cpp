@@ -211,7 +211,7 @@ void checkJobs(unsigned jobs) {
 void checkLength(const char* name, double metres) {
   if (std::isfinite(metres) && metres >= 0) return;
   throw py::value_error(std::string(name) + " is " + reprOf(py::float_(metres)) +
-                        ", but must be a number of metres >= 0");
+                        ", but must be a finite number of metres >= 0");
 }
 
 void checkPositive(const char* name, double number, const char* unit) {

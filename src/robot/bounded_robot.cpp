@@ -62,7 +62,9 @@ void addMesh(Draft& draft, BoundedLink& link, const Element& element, const Mesh
     const MeshFile file = resolveMeshUri(element.mesh_uri, source.package_path, source.base_folder);
     draft.requests.push_back({&element, draft.robot.links.size(), link.shapes.size(), file});
     link.shapes.push_back({nullptr, Solid::kNone, element.size, element.link_from_shape});
-  } catch (const MeshError& error) {
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {  // package_path may throw any
     draft.addProblem(link, element.purpose, element.number, element.mesh_uri, error.what());
   }
 }

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "robot/bounded_robot.h"
+#include "robot/mesh/weld.h"
 
 namespace link_bounds {
 
@@ -19,7 +20,10 @@ RobotLoader::RobotLoader(MeshRemedy remedy)
           remedy_) {}
 
 RobotLoader::RobotLoader(MeshImporter importer, MeshRemedy remedy)
-    : remedy_(std::move(remedy)), store_(std::move(importer), remedy_) {}
+    : remedy_(std::move(remedy)),
+      store_(
+          [importer = std::move(importer)](const MeshFile& file) { return welded(importer(file)); },
+          remedy_) {}
 
 BoundedRobot RobotLoader::load(const Robot& robot, const Selection& selection,
                                const MeshSource& source) {
@@ -35,7 +39,8 @@ std::vector<LoadedTree> RobotLoader::loadTrees(const std::vector<std::string>& u
                                                const MeshSource& source) {
   std::vector<LoadedTree> trees;
   for (LoadedMesh& mesh : loadAll(uris, source, MeshContent::kPointsAndTree))
-    trees.push_back({std::move(mesh.points), std::move(mesh.tree), std::move(mesh.error)});
+    trees.push_back(
+        {std::move(mesh.points), std::move(mesh.tree), std::move(mesh.error), mesh.is_cancelled});
   return trees;
 }
 

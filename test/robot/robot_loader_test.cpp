@@ -95,6 +95,42 @@ std::string folderOf(const std::string& package) {
   return "";
 }
 
+/// The door to readers of other people.
+TEST_F(RobotLoaderTest, WhatAReaderGivesIsChecked) {
+  const std::string uri = "file://" + folder_ / "arm/a.stl";
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<Eigen::Vector3f> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
+  const std::vector<Eigen::Vector3f> broken{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::pair<TriangleMesh, std::string>> refused{
+      {{}, "it has no triangle"},
+      {{corners, {}}, "it has no triangle"},
+      {{corners, {{0, 1, 4}}}, "a triangle names vertex 4 of 4"},
+      {{broken, {{0, 1, 2}}}, "a vertex that is not a finite number"}};
+  for (const auto& [mesh, reason] : refused) {
+    RobotLoader loader([mesh = mesh](const MeshFile&) { return mesh; });
+    const LoadedMesh loaded = loader.loadMeshes({uri}, {}).at(0);
+    EXPECT_FALSE(loaded.points);
+    EXPECT_NE(loaded.error.find(reason), std::string::npos) << loaded.error;
+    loader.forgetFailures();
+    EXPECT_NE(loader.loadTrees({uri}, {}).at(0).error.find(reason), std::string::npos);
+  }
+  RobotLoader loader([&](const MeshFile&) { return TriangleMesh{corners, {{0, 1, 2}}}; });
+  EXPECT_EQ(loader.loadMeshes({uri}, {}).at(0).points->magnitude(),
+            Eigen::Vector3f(1, 1, 0).cast<double>());
+}
+
+/// A URDF that names a package is input, too.
+TEST_F(RobotLoaderTest, NoPackagesAndWhatTheirSearchThrows) {
+  const Robot robot = parseRobot(robotWith("package://odd/a.stl"));
+  for (const PackagePath& packages : {PackagePath(), PackagePath(folderOf)}) {
+    const BoundedRobot bounded = RobotLoader().load(robot, {}, {packages});
+    ASSERT_EQ(bounded.problems.size(), 1u);
+    EXPECT_NE(bounded.problems[0].find(packages ? "it is odd" : "there is no package \"odd\""),
+              std::string::npos)
+        << bounded.problems[0];
+  }
+}
+
 std::string loaderRemedy(MeshFault fault) {
   return fault == MeshFault::kComputer    ? "end some"
          : fault == MeshFault::kCancelled ? "reload"

@@ -23,7 +23,7 @@ struct Selection {
   bool collision = false;
   std::vector<std::string> links;              ///< only these; empty: every link with geometry
   std::vector<std::string> ignore_links;       ///< none of these
-  double padding = 0;                          ///< metres, >= 0
+  double padding = 0;                          ///< metres, finite, >= 0
   std::map<std::string, double> link_padding;  ///< replaces padding for that link
   int parts_per_link = 1;                      ///< max number of parts of a link, >= 1
   bool triangles = false;                      ///< whether BoundedRobot::bodies are made
@@ -39,7 +39,7 @@ inline Selection selectionOf(const std::string& geometry) {
 
 /// Where mesh files are found, and what reading one may take.
 struct MeshSource {
-  PackagePath package_path = {};  ///< may be null if no mesh URI names a package
+  PackagePath package_path = {};  ///< null: there are no packages
   std::string base_folder = {};   ///< of relative mesh names; "" = they are refused
   LoadProgress progress = {};     ///< may be null
   MeshLimits limits = {};
@@ -74,7 +74,8 @@ struct LoadedTree {
   /// Those that are in use, unless the file was replaced since; null if it cannot be read.
   std::shared_ptr<const PointSet> points;
   std::shared_ptr<const TriangleTree> triangles;  ///< null if it cannot be read or is too large
-  std::string error;  ///< file, reason and remedy; "" if there are triangles
+  std::string error;          ///< file, reason and remedy; "" if there are triangles
+  bool is_cancelled = false;  ///< by MeshSource::is_cancelled
 };
 
 /// Loads the meshes of robots and of single objects. Owns the store of what has been read: as long
@@ -86,7 +87,8 @@ class RobotLoader {
   /// that cannot be used.
   explicit RobotLoader(MeshRemedy remedy = plainRemedy);
 
-  /// Mesh files are read by `importer`, which MeshSource::limits do not concern.
+  /// Mesh files are read by `importer`, which MeshSource::limits do not concern. What it returns is
+  /// checked; vertices that no triangle uses do not count.
   explicit RobotLoader(MeshImporter importer, MeshRemedy remedy = plainRemedy);
 
   RobotLoader(const RobotLoader&) = delete;

@@ -153,7 +153,7 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "namespace");
   visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
   visit("timeout", p.timeout, rules::notNegative,
-        "ROS seconds until a link is stale if a frame on its path has no newer stamp: no box, in "
+        "ROS seconds without a newer stamp of a frame on its path until a link is stale: no box, in "
         "incomplete. 0 = never");
   visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
         "goes before link names in tf; if not set here, it is found upwards as "

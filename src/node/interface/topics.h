@@ -22,7 +22,7 @@ inline std::string privateName(const TopicName& topic) {
 constexpr TopicName kBoxesTopic{
     "~boxes", "link_bounds/AxisAlignedBoxArray",
     "with each tf message that brings a new pose or stamp of a bounded link, and whenever an "
-    "object or incomplete changes; under load, one message stands for all that wait; limited by "
+    "object or incomplete changes; under load, one message answers several of tf; limited by "
     "max_rate; latched"};
 constexpr TopicName kGroupsTopic{
     "~groups", "link_bounds/AxisAlignedBoxArray",
@@ -130,7 +130,7 @@ constexpr TopicName kReloadService{
 constexpr TopicName kGetBoxesService{
     "~get_boxes", "link_bounds/GetBoxes",
     "boxes at a time within tf's 10 s of history, or around everything between two times, in any "
-    "frame; of all links and objects, or of some"};
+    "frame; of those in names, or of all links and objects"};
 
 constexpr TopicName kCheckPathService{"~check_path", "link_bounds/CheckPath",
                                       "whether the robot collides along a trajectory, with itself "

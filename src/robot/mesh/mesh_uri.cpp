@@ -53,7 +53,7 @@ MeshFile resolvePackageUri(const std::string& rest, const PackagePath& package_p
   if (package.empty() || slash == std::string::npos) {
     throw MeshError("the URI names no package; write package://PACKAGE/PATH");
   }
-  const std::string folder = package_path(package);
+  const std::string folder = package_path ? package_path(package) : "";
   if (folder.empty()) {
     throw MeshError("there is no package \"" + package +
                     "\"; install it or add its folder to ROS_PACKAGE_PATH");
@@ -77,8 +77,9 @@ MeshFile resolveFileUri(const std::string& rest) {
 }  // namespace
 
 bool isBelow(const fs::path& folder, const fs::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
+  const fs::path::iterator other =
+      std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first;
+  return other == folder.end() || other->empty();  // it is empty behind a slash at the end
 }
 
 MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,

@@ -72,9 +72,7 @@ std::string whyNotWhole(const Robot& robot, const std::string& name) {
   for (const Joint& joint : robot.joints) {
     if (!name.empty() && joint.part_of == name) parts += (parts.empty() ? " " : ", ") + joint.name;
   }
-  if (parts.empty()) return "";
-  return "joint \"" + name + "\" has more than one value; give some of" + parts + ", as in " +
-         name + ".x:=0.5 or, with --reach and --pairs, " + name + ".x:=-1..1";
+  return parts.empty() ? "" : "joint \"" + name + "\" has more than one value; give" + parts;
 }
 
 const Joint* findMovable(const Robot& robot, const std::string& name) {

@@ -102,6 +102,12 @@ constexpr std::array kLosses = {
     // Of errors that may have one of the words below, as in a name.
     "to instanced node", "unresolved reference format", "unexpected eof"};
 
+/// X3D nodes, in small letters, that assimp skips and that have no geometry below them.
+constexpr std::array kNoGeometryInX3d = {"viewpoint\"",  "navigationinfo", "background", "fog",
+                                         "worldinfo",    "light",          "metadata",   "sensor",
+                                         "interpolator", "sequencer",      "trigger",    "toggle",
+                                         "script",       "sound",          "audioclip"};
+
 /// An error with one of these leaves out no geometry; all other errors may.
 constexpr std::array kNoLosses = {
     // Of looks and motion.
@@ -130,7 +136,11 @@ class LossLog : public Assimp::Logger {
   // and detatchStream), so none is marked as overriding.
   void OnDebug(const char*) {}
   void OnVerboseDebug(const char*) {}
-  void OnInfo(const char*) {}
+  void OnInfo(const char* message) {
+    const std::string text = inSmallLetters(message);
+    if (text.find("skipping node \"") != std::string::npos && !hasAny(kNoGeometryInX3d, text))
+      note(message);
+  }
   void OnWarn(const char* message) {
     if (hasAny(kLosses, inSmallLetters(message))) note(message);
   }

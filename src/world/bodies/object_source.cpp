@@ -124,20 +124,17 @@ void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
   if (line) ROS_WARN_STREAM(*line);
 }
 
-void ObjectSource::reloadMeshes() {
+void ObjectSource::reloadMeshes(ros::Time now) {
   marker_log_.forget();
   neighbours_.forgetLog();
   mesh_log_.forget();
-  std::map<std::string, Mesh> known = std::move(meshes_);
   meshes_.clear();
   for (const auto& [key, object] : objects_.objects()) {
-    const ObjectContent& content = *object.content;
-    if (!content.mesh_use) continue;
-    const auto [mesh, is_new] = meshes_.try_emplace(content.mesh_uri);
-    if (!is_new) continue;
-    mesh->second.points = known[content.mesh_uri].points;
-    mesh->second.use = content.mesh_use;
-    request(mesh->second);
+    if (object.content->mesh_use) meshes_[object.content->mesh_uri].use = object.content->mesh_use;
+  }
+  for (auto& [uri, mesh] : meshes_) {
+    objects_.fillMesh(uri, LoadedMesh(), now);
+    request(mesh);
   }
 }
 

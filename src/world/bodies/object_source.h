@@ -51,9 +51,9 @@ class ObjectSource {
   /// Logs which objects waited for a transform that did not come, or wait again and again.
   void warnOfGivenUp(ros::Time now);
 
-  /// Requests the meshes of all objects again: files may have been repaired or replaced. What was
-  /// logged may be logged again.
-  void reloadMeshes();
+  /// Requests the meshes of all objects again: files may have been repaired or replaced. Until they
+  /// are there, objects keep their boxes and are incomplete. What was logged may be logged again.
+  void reloadMeshes(ros::Time now);
 
  private:
   /// A mesh; it has neither points nor an error while it loads.

@@ -46,6 +46,8 @@ void PathTrees::loadMeshes(const Meshes& meshes, const IsOver& is_over) {
       const bool is_same = trees[i].points == points[i];
       if (is_same && trees[i].triangles)
         add(points[i], trees[i].triangles);
+      else if (trees[i].is_cancelled)
+        complain(uris[i] + ": " + kNotLoaded);
       else
         complain(!trees[i].error.empty() ? trees[i].error
                                          : uris[i] + " was replaced since it was loaded");

@@ -410,7 +410,10 @@ void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp,
   }
   const BaseMotion base = baseMotion(samples.poses, window_, rules_.model().parameters);
   if (!base.problem.empty()) edge.problem = joint.name + ": " + base.problem;
-  if (base.joint) edge.joint = WayJoint{*base.joint, {}, {}};
+  if (!base.joint) return;
+  edge.joint = WayJoint{*base.joint, {}, {}};
+  // It turns about where it is at the stamp; samples may end after that.
+  edge.joint->place.origin = edge.parent_from_child.translation();
 }
 
 /// A joint that /joint_states does not have, but the joint that it mimics, has that one's reports.

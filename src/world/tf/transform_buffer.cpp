@@ -55,10 +55,11 @@ void TransformBuffer::count(std::uint64_t TfIntake::*what, bool is_needed) {
   if (is_needed) ++(needed_intake_.*what);
 }
 
+/// One without a name may be of any frame.
 void TransformBuffer::countByName(std::uint64_t TfIntake::*what, std::string_view child) {
   if (!child.empty() && child.front() == '/') child.remove_prefix(1);
   const std::optional<Frame> frame = find(child);
-  count(what, frame && edges_[*frame].needs > 0);
+  count(what, child.empty() || (frame && edges_[*frame].isNeeded()));
 }
 
 void TransformBuffer::countDropped(const TransformView& transform) {
@@ -89,7 +90,7 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
     adoptNumber(parent);
   }
   if (child == parent) {
-    count(&TfIntake::unusable, edges_[child].needs > 0);
+    count(&TfIntake::unusable, edges_[child].isNeeded());
     refusal.reason = kOwnParent;
     return false;
   }
@@ -102,7 +103,7 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   const std::int64_t stamp = nanosecondsOf(transform.stamp);
   const bool is_replaced = edge.is_static && edge.has_parent &&
                            !edge.history->holds({transform.parent_from_child, parent, stamp});
-  if (is_replaced) count(&TfIntake::replaced, edge.needs > 0);
+  if (is_replaced) count(&TfIntake::replaced, edge.isNeeded());
   edge.doubt(is_replaced, is_static, now);
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
   const bool is_in_order = is_accepted ? record(edge, parent, stamp, now)
@@ -143,7 +144,7 @@ bool TransformBuffer::insert(Edge& edge, std::int64_t stamp, Frame parent, const
 bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now) {
   ++intake_.accepted;
   edge.message = message_;
-  edge.is_distrusted = false;
+  edge.is_distrusted = edge.was_needed = false;
   const bool is_new = !edge.has_parent;
   const bool is_other = !is_new && edge.parent != parent;
   if (is_new || is_other) {
@@ -152,7 +153,7 @@ bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::
   }
   if (is_other) settled_ = std::max({settled_, stamp, edge.newest});
   if (stamp < edge.newest) {
-    count(&TfIntake::late, edge.needs > 0);
+    count(&TfIntake::late, edge.isNeeded());
     return false;
   }
   edge.newest = edge.is_static ? 0 : stamp;
@@ -168,6 +169,7 @@ void TransformBuffer::Edge::clear() {
   is_in_doubt = false;
   if (!history || is_static) return;
   history->clear();
+  was_needed = isNeeded();
   newest = 0;
   has_parent = false;
 }
@@ -175,8 +177,8 @@ void TransformBuffer::Edge::clear() {
 /// True if the transform repeats a stamp; false if it is too old.
 bool TransformBuffer::refuse(const Edge& edge, const EdgeSample& sample) {
   const bool is_repeated = !edge.isTooOld(sample.stamp);
-  count(is_repeated ? &TfIntake::repeated : &TfIntake::too_old, edge.needs > 0);
-  if (is_repeated && !edge.history->holds(sample)) count(&TfIntake::other, edge.needs > 0);
+  count(is_repeated ? &TfIntake::repeated : &TfIntake::too_old, edge.isNeeded());
+  if (is_repeated && !edge.history->holds(sample)) count(&TfIntake::other, edge.isNeeded());
   return is_repeated;
 }
 
@@ -285,6 +287,7 @@ std::size_t TransformBuffer::visit(Frame frame, std::size_t kept_static) {
   forgotten.is_met = edge.is_met;
   forgotten.referenced = edge.referenced;
   forgotten.needs = edge.needs;
+  forgotten.was_needed = edge.was_needed;
   edge = std::move(forgotten);
   if (edge.referenced + 1 >= pass_) return work;
   names_.forget(frame);

@@ -152,7 +152,8 @@ class TransformBuffer {
   /// The same of needed edges alone.
   const TfIntake& neededIntake() const { return needed_intake_; }
 
-  /// A pose that somebody follows comes from this edge, until release().
+  /// A pose that somebody follows comes from this edge, until release(). After a clear() it counts
+  /// as needed until it has a transform again.
   void need(Frame child) { ++edges_[child].needs; }
   void release(Frame child) { --edges_[child].needs; }
 
@@ -225,7 +226,8 @@ class TransformBuffer {
     std::uint64_t referenced = 0;  ///< pass in which another edge was seen that leads here
     std::uint32_t holds = 0;
     std::uint32_t needs = 0;
-    bool is_met = false;  ///< see isMet()
+    bool was_needed = false;  ///< before a clear(), since when no transform was accepted
+    bool is_met = false;      ///< see isMet()
     bool has_parent = false;
     bool is_static = false;
     bool is_in_doubt = false;            ///< see isStaticInDoubt()
@@ -237,6 +239,7 @@ class TransformBuffer {
     std::optional<EdgeHistory> history;  ///< none before the first transform
 
     void clear();
+    bool isNeeded() const { return needs > 0 || was_needed; }
     void doubt(bool is_replaced, bool on_static, std::int64_t now);
     bool isTooOld(std::int64_t stamp) const { return stamp + EdgeHistory::kLength < newest; }
   };

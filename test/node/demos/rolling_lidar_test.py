@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example of doc/scene.md removes a moving tool from a scan, and nothing else."""
+"""The example of doc/scene.md removes a moving tool from a scan, and nothing else, no object
+either."""
 import math
 import os
 import subprocess
@@ -11,11 +12,13 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import (Recorder, TfSender, box_link, box_of, robot, transform, turn,
+from bounds_testing import (Pose, Recorder, TfSender, box_link, box_of, robot, transform, turn,
                             wait_for)
 from node_testing import NodeProcess
+from object_testing import ObjectSender, marker
 from page_testing import code_block
 from sensor_msgs.msg import LaserScan
+from visualization_msgs.msg import Marker
 
 RAYS = 181
 FOLLOWED = 60  # the last ray that follows the tool
@@ -38,6 +41,7 @@ class RollingLidar(unittest.TestCase):
         self.tf, self.tf_static = TfSender(), TfSender(is_static=True)
         self.scans = Recorder("/rolling_lidar/scan", LaserScan)
         self.publisher = rospy.Publisher("/scan", LaserScan, queue_size=10)
+        rospy.set_param("/rolling_lidar/links", ["base", "tool"])
         consumer = subprocess.Popen([sys.executable, script.name], env=os.environ)
         self.addCleanup(consumer.wait)
         self.addCleanup(consumer.kill)
@@ -75,6 +79,11 @@ class RollingLidar(unittest.TestCase):
     def test_the_tool_alone_is_removed(self):
         start = rospy.Time(1000)
         self.move_tool(start)
+        objects = ObjectSender("/link_bounds_publisher")
+        objects.send(marker("pallet/1", pose=Pose((0, WALL, 0))),
+                     marker("broken/1", Marker.MESH_RESOURCE, mesh_resource="file:///no.stl"))
+        self.boxes.wait(lambda m: m.incomplete == ["broken/1"] and box_of(m, "pallet/1"),
+                        "the objects")
         self.send_scan(start + rospy.Duration(1))  # tf does not know so much: it is dropped
         self.send_scan(start)
         scan = self.scans.wait(lambda m: True, "a scan")

@@ -305,6 +305,8 @@ class CheckPathTest(unittest.TestCase):
                  trajectory(["nobody"], [0], [1])),
                 ('has "turn" twice', trajectory(["turn", "turn"], [0, 0], [1, 1])),
                 ("all of .* follow other joints", trajectory(["half"], [0], [1])),
+                (r'joint "aside" has more than one value; give aside.x, aside.y, .*aside.roll$',
+                 trajectory(["aside"], [0], [1])),
                 (r'values of joint "aside", but not all 6',
                  trajectory(["aside.x"], [0], [1])),
                 (r"points has 1; a path needs two", turned(0)),

@@ -29,6 +29,13 @@ TEST_F(MeshUri, PackageSchemeNamesAFileOfThePackage) {
   EXPECT_EQ(file.root, folder_ / "arm") << "a mesh may name its package's textures";
 }
 
+TEST_F(MeshUri, ASlashAtTheEndOfAFolderCountsNothing) {
+  EXPECT_TRUE(isBelow("/a/", "/a/b"));
+  EXPECT_TRUE(isBelow("/a", "/a/b"));
+  EXPECT_FALSE(isBelow("/a/", "/ab"));
+  EXPECT_FALSE(isBelow("/a/c/", "/a/b"));
+}
+
 TEST_F(MeshUri, FileSchemeNamesAnAbsolutePath) {
   const std::string path = folder_.write("somewhere/link.stl");
   const MeshFile file = resolve("file://" + path);

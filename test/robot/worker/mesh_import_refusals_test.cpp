@@ -319,6 +319,28 @@ TEST_F(ImportRefusals, WhatAReaderLogsAndLeavesOut) {
   expectRefused("a.ase", ase + "*MESH_VERTEX 9 0 0 7\n" + faces, "nvalid vertex index");
 }
 
+/// Assimp skips most of the nodes that group others in X3D, with all that is below them.
+TEST_F(ImportRefusals, AnX3dNodeThatIsSkipped) {
+  const auto x3d = [](const std::string& nodes) {
+    return "<?xml version=\"1.0\"?><X3D version=\"3.0\"><Scene><Group><Shape><IndexedFaceSet "
+           "coordIndex=\"0 1 2 -1\"><Coordinate point=\"0 0 0 1 0 0 0 1 0\"/></IndexedFaceSet>"
+           "</Shape></Group>" +
+           nodes + "</Scene></X3D>";
+  };
+  const std::string looks = "<Viewpoint/><NavigationInfo/><Background/><WorldInfo/>";
+  EXPECT_EQ(import("a.x3d", x3d(looks)).triangles.size(), 1u);
+  for (const char* name :
+       {"Anchor", "LOD", "Collision", "Billboard", "CADPart", "ViewpointGroup"}) {
+    const std::string node(name);
+    expectRefused("a.x3d",
+                  x3d("<" + node +
+                      "><Transform translation=\"9 9 9\"><Shape><Box/></Shape>"
+                      "</Transform></" +
+                      node + ">"),
+                  "Skipping node \"" + node + "\"");
+  }
+}
+
 TEST_F(ImportRefusals, ButNotWhatIsOnlyLooks) {
   const std::string obj =
       "mtllib none.mtl\nusemtl none\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl none\nf 1 2 3\np 1/1\nf\n";

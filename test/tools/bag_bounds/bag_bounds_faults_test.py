@@ -316,6 +316,8 @@ class BagsTest(BagBoundsTest):
                 ([moving_arms(300, end, angle_index=350)], '3 transforms left out, because another'),
                 ([moving_arms(0), moving_arms(500, BEGIN + PERIOD)],
                  '3 transforms left out, of the time before a jump'),
+                ([moving_arms(500, BEGIN), moving_arms(1)],
+                 '3 transforms left out, of the time before a jump'),
                 ([moving_arms(i, end) for i in range(250, 350)], None),
                 ([(*stranger, time_of(end))], None), (above, None)):  # which no box needs
             with self.subTest(reason=reason):

@@ -79,8 +79,48 @@ class ObjectSourceTest : public testing::Test {
   TransformBuffer tf_;
   FrameTracker frames_{tf_};
   LiveObjects objects_{frames_};
-  ObjectSource source_{objects_, [](const MeshUse&) {}};
+  int requests_ = 0;
+  ObjectSource source_{objects_, [this](const MeshUse&) { ++requests_; }};
 };
+
+/// After ~reload a file may be another one: nothing is complete before it is read again.
+TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
+  const auto cornersOf = [](float size) {
+    const std::vector<Eigen::Vector3f> points{{0, 0, 0}, {size, 0, 0}, {0, size, size}};
+    return std::make_shared<const PointSet>(points);
+  };
+  const auto widthOf = [this] {
+    const BoxState& state = objects_.objects().at(kMarkerKey).state;
+    return state.box ? state.box->sizes().x() : 0;
+  };
+  const auto isIncomplete = [this] { return objects_.objects().at(kMarkerKey).state.incomplete; };
+  const std::string uri = "file:///part.stl";
+  Marker marker = markerOf(Marker::MESH_RESOURCE, {1, 1, 1});
+  marker.header.frame_id = "map";
+  marker.ns = kMarkerKey.ns;
+  marker.id = kMarkerKey.id;
+  marker.mesh_resource = uri;
+  take(marker);
+  const auto points = cornersOf(1);
+  source_.fillMesh(uri, {points, ""}, now_);
+  EXPECT_FALSE(isIncomplete());
+  for (const auto& read : {points, cornersOf(2)}) {
+    const double before = widthOf();
+    source_.reloadMeshes(now_);
+    EXPECT_TRUE(isIncomplete());
+    EXPECT_EQ(widthOf(), before);
+    marker.id = 2;
+    take(marker);
+    EXPECT_FALSE(objects_.objects().at({"scene", 2}).state.box) << "what is new waits";
+    source_.fillMesh(uri, {read, ""}, now_);
+    EXPECT_FALSE(isIncomplete());
+    marker.action = Marker::DELETE;
+    take(marker);
+    marker.action = Marker::ADD;
+  }
+  EXPECT_NEAR(widthOf(), 2, 1e-6);
+  EXPECT_EQ(requests_, 3);
+}
 
 TEST_F(ObjectSourceTest, AnUnknownActionIsRefusedWithAReason) {
   for (const int action : {1, 4, -1, 1000}) {

@@ -67,6 +67,23 @@ PathScene pathOf(const Scene& scene, const std::shared_ptr<const Model>& model, 
   return pathScene(*past, joints, trees, {1000, goes_on});
 }
 
+/// The remedy is another than where the file is broken.
+TEST(PathTrees, ALoadThatTheRequestCancelledIsToBeAskedForAgain) {
+  Model model;
+  model.mesh_uris["a.stl"] = meshLink("a", 1).shapes.front().points;
+  PastScene scene(BoxRequest(), 0);
+  scene.model = std::make_shared<const Model>(model);
+  for (const bool is_cancelled : {true, false}) {
+    LoadedTree tree{model.mesh_uris["a.stl"], nullptr, "why; call ~reload"};
+    tree.is_cancelled = is_cancelled;
+    PathTrees trees([&](const auto&, const auto&) { return std::vector<LoadedTree>{tree}; });
+    trees.prepare(scene, [] { return false; });
+    EXPECT_EQ(trees.problem(), is_cancelled
+                                   ? "a.stl: its triangles were not loaded in time; ask again"
+                                   : "why; call ~reload");
+  }
+}
+
 /// Nothing is in tf.
 struct QuietArm : MovingRobot {
   explicit QuietArm(const Parameters& parameters) : MovingRobot(kRobot, parameters) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Random bases that drive in one frame of tf, while the other frames between the root and the fixed
-// frame rest, drift, jump and shake: every stop that the parameters allow is in the boxes.
+// frame rest, drift, jump and shake, or by a floating joint, whose transforms are newer than those
+// of the arm: every stop that the parameters allow is in the boxes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,14 +13,25 @@
 namespace link_bounds {
 namespace {
 
-constexpr char kCart[] = R"(<robot name="cart">
+constexpr char kFloatingJoint[] = R"(<link name="map"/>
+  <joint name="drive" type="floating"><parent link="map"/><child link="base"/></joint>)";
+constexpr char kBall[] = R"(<origin xyz="0.3 0 0"/><geometry><sphere radius="0.08"/></geometry>)";
+constexpr char kRod[] =
+    R"(<origin xyz="0.15 0 0"/><geometry><box size="0.3 0.02 0.02"/></geometry>)";
+
+/// Below `root`.
+std::string cart(const std::string& root, const std::string& arm) {
+  return "<robot name=\"cart\">" + root + R"(
   <link name="base"><visual><origin xyz="0.1 0 0.2" rpy="0 0 0.3"/>
     <geometry><box size="0.4 0.3 0.2"/></geometry></visual></link>
-  <link name="arm"><visual><origin xyz="0.3 0 0"/><geometry><sphere radius="0.08"/></geometry>
-    </visual></link>
+  <link name="arm"><visual>)" +
+         arm + R"(</visual></link>
   <joint name="pan" type="continuous"><parent link="base"/><child link="arm"/>
-    <origin xyz="0.1 0 0.2" rpy="0.1 0.2 0.3"/><axis xyz="0 0 1"/></joint>
+    <origin xyz=")" +
+         (root.empty() ? R"(0.1 0 0.2" rpy="0.1 0.2 0.3)" : "0 0 0") +
+         R"("/><axis xyz="0 0 1"/></joint>
 </robot>)";
+}
 
 Eigen::Isometry3d turned(const Eigen::Vector3d& axis, double angle) {
   return Eigen::Isometry3d(Eigen::AngleAxisd(angle, axis));
@@ -50,31 +62,23 @@ double wayUntil(double time, double speed, double reaction, double deceleration)
          std::copysign(std::abs(speed) * braked - deceleration * braked * braked / 2, speed);
 }
 
+enum class Drive { kByFrames, kByJoint };
+
 class RandomDrive {
  public:
-  explicit RandomDrive(std::uint64_t seed) : random_(seed), robot_(kCart, randomParameters()) {
+  RandomDrive(std::uint64_t seed, Drive drive)
+      : random_(seed),
+        is_base_later_(drive == Drive::kByJoint),
+        robot_(drive == Drive::kByJoint ? cart(kFloatingJoint, kRod) : cart("", kBall),
+               randomParameters(drive)) {
     twist_ = {direction(), pick(4) == 0 ? direction() : Eigen::Vector3d::UnitZ(),
               pick(4) == 0 ? 0 : random_.uniform(0, 2), pick(3) == 0 ? 0 : random_.uniform(-2, 2)};
     pan_speed_ = pick(2) * random_.uniform(-2, 2);
     pan_ = random_.uniform(-3, 3);
-    const int between = pick(4);
-    names_.emplace_back("base");
-    for (int i = 0; i < between; ++i)
-      names_.push_back("between_" + std::to_string(i));
-    names_.emplace_back("map");
-    ground_ = 1 + static_cast<std::size_t>(pick(between + 1));
-    top_ = static_cast<std::size_t>(pick(between + 2));
-    const Eigen::Isometry3d base = place();
-    for (int i = 0; i <= kSamples; ++i)
-      base_.push_back(
-          goneOn(base, twist_, twist_.speed * i / kRate, twist_.turn_speed * i / kRate));
-    ways_.push_back(base_);
-    for (std::size_t i = 1; i < names_.size(); ++i)
-      ways_.push_back(
-          i == ground_ ? std::vector<Eigen::Isometry3d>(kSamples + 1, Eigen::Isometry3d::Identity())
-                       : frameWay());
-    for (int i = 0; i <= kSamples; ++i)
-      send(static_cast<std::size_t>(i));
+    if (drive == Drive::kByJoint)
+      driveByJoint();
+    else
+      driveByFrames();
     robot_.scene().update(ros::Time(kStamp));
     found_ = robot_.stopping();
   }
@@ -126,7 +130,8 @@ class RandomDrive {
     return result;
   }
 
-  Parameters randomParameters() {
+  /// Of joints such that it turns for longer than it drives.
+  Parameters randomParameters(Drive drive) {
     Parameters parameters;
     parameters.fixed_frame = "map";
     parameters.velocity_window = random_.uniform(0.05, 0.2);
@@ -134,7 +139,55 @@ class RandomDrive {
     parameters.deceleration["pan"] = random_.magnitude(-0.3, 1);
     parameters.base_deceleration = {{"linear", random_.magnitude(-0.3, 1)},
                                     {"angular", random_.magnitude(0, 1)}};
+    if (drive == Drive::kByJoint) {
+      parameters.reaction_time = 0;
+      parameters.base_deceleration = {{"linear", random_.magnitude(0.5, 2)},
+                                      {"angular", random_.magnitude(-0.5, 0.3)}};
+    }
     return parameters;
+  }
+
+  void driveByFrames() {
+    const int between = pick(4);
+    names_.emplace_back("base");
+    for (int i = 0; i < between; ++i)
+      names_.push_back("between_" + std::to_string(i));
+    names_.emplace_back("map");
+    ground_ = 1 + static_cast<std::size_t>(pick(between + 1));
+    top_ = static_cast<std::size_t>(pick(between + 2));
+    const Eigen::Isometry3d base = place();
+    for (int i = 0; i <= kSamples; ++i)
+      base_.push_back(
+          goneOn(base, twist_, twist_.speed * i / kRate, twist_.turn_speed * i / kRate));
+    ways_.push_back(base_);
+    for (std::size_t i = 1; i < names_.size(); ++i)
+      ways_.push_back(
+          i == ground_ ? std::vector<Eigen::Isometry3d>(kSamples + 1, Eigen::Isometry3d::Identity())
+                       : frameWay());
+    for (int i = 0; i <= kSamples; ++i)
+      send(static_cast<std::size_t>(i));
+  }
+
+  /// A stop begins where tf has the base, between two transforms.
+  void driveByJoint() {
+    const double period = random_.uniform(0.5, 0.95) * robot_.model()->parameters.velocity_window;
+    const double ahead = random_.uniform(0, 1) * period;
+    const Eigen::Isometry3d base = place();
+    const auto at = [&](double time) {
+      return goneOn(base, twist_, twist_.speed * time, twist_.turn_speed * time);
+    };
+    for (int i = kSamples; i >= 0; --i) {
+      const double time = ahead - i * period;
+      robot_.add("map", "base", kStamp + time, at(time));
+      sendArm(kStamp - i / kRate);
+    }
+    const Eigen::Isometry3d before = at(ahead - period), after = at(ahead);
+    const double part = 1 - ahead / period;
+    Eigen::Isometry3d between(
+        Eigen::Quaterniond(before.linear()).slerp(part, Eigen::Quaterniond(after.linear())));
+    between.translation() = (1 - part) * before.translation() + part * after.translation();
+    base_ = {between};
+    ways_ = {{Eigen::Isometry3d::Identity()}};
   }
 
   /// Of a frame that is neither the base nor the ground, as seen from the ground.
@@ -167,6 +220,10 @@ class RandomDrive {
       robot_.add(names_[parent], names_[child], stamp,
                  ways_[parent][sample].inverse() * ways_[child][sample]);
     }
+    sendArm(stamp);
+  }
+
+  void sendArm(double stamp) {
     const Joint& pan = robot_.robot().joints[robot_.joint("pan")];
     robot_.add("base", "arm", stamp,
                pan.parent_from_joint * jointMotion(pan, pan_ - pan_speed_ * (kStamp - stamp)));
@@ -177,12 +234,15 @@ class RandomDrive {
     const auto boxes = robot_.boxesAt(robot_.values({{"pan", pan}}), map_from_base);
     return std::all_of(found_.moment->bodies.begin(), found_.moment->bodies.end(),
                        [&](const Moment::Body& body) {
-                         const Aabb& box = boxes.at(std::string(found_.moment->name(body)));
+                         const std::string name(found_.moment->name(body));
+                         if (is_base_later_ && name == "base") return true;
+                         const Aabb& box = boxes.at(name);
                          return padded(body.box, kRounding).contains(box);
                        });
   }
 
   brute_force::Random random_;
+  const bool is_base_later_;  ///< its box has a later stamp than that of the arm
   MovingRobot robot_;
   Twist twist_;  ///< of the base in the ground
   double pan_speed_ = 0;
@@ -195,11 +255,11 @@ class RandomDrive {
   WayBoxes found_;
 };
 
-TEST(BaseRandom, EveryAllowedStopIsInTheBoxes) {
+void expectStopsInside(Drive manner) {
   constexpr std::uint64_t kDrives = 4000;
   std::uint64_t complete = 0, left = 0;
   for (std::uint64_t seed = 1; seed <= kDrives; ++seed) {
-    RandomDrive drive(seed);
+    RandomDrive drive(seed, manner);
     if (!drive.isComplete()) continue;
     ++complete;
     for (int i = 0; i < 5; ++i)
@@ -208,6 +268,14 @@ TEST(BaseRandom, EveryAllowedStopIsInTheBoxes) {
   }
   EXPECT_GT(complete, kDrives * 3 / 4) << "of the others nothing was shown";
   EXPECT_GT(left, complete / 4) << "boxes that hold everything show nothing";
+}
+
+TEST(BaseRandom, EveryAllowedStopIsInTheBoxes) {
+  expectStopsInside(Drive::kByFrames);
+}
+
+TEST(BaseRandom, EveryAllowedStopOfAFloatingJointIsInTheBoxes) {
+  expectStopsInside(Drive::kByJoint);
 }
 
 }  // namespace

@@ -201,6 +201,25 @@ TEST_F(EdgesTest, TheLagIsThatOfNeededEdges) {
   EXPECT_FALSE(tf_.takeMaxLag());
 }
 
+/// Who followed a pose before a jump of the clock wants to know what was left out after it.
+TEST_F(EdgesTest, AnEdgeIsNeededAfterAClearUntilItHasATransform) {
+  const auto needed = send("a", "b", 1);
+  send("a", "c", 1);
+  tf_.need(needed);
+  tf_.clear();
+  tf_.release(needed);
+  const auto drop = [this](const char* child) {
+    tf_.countDropped(TransformView("a", child, "", ros::Time(2)));
+    return tf_.neededIntake().dropped;
+  };
+  EXPECT_EQ(drop("b"), 1u);
+  EXPECT_EQ(drop("c"), 1u);
+  EXPECT_EQ(drop("unknown"), 1u);
+  EXPECT_EQ(drop(""), 2u) << "without a name it may be of any frame";
+  send("a", "b", 3);
+  EXPECT_EQ(drop("b"), 2u);
+}
+
 TEST_F(EdgesTest, AgesCountFromTheStartOfTheClock) {
   now_ = ros::Time(0);
   const auto child = send("a", "b", 1);

@@ -14,7 +14,7 @@ namespace link_bounds {
 struct BoundedLink {
   std::string name;           ///< as in the URDF
   std::vector<Shape> shapes;  ///< what could be loaded; may be empty
-  double padding = 0;         ///< added on every side of the box [m], >= 0
+  double padding = 0;         ///< added on every side of the box [m], finite, >= 0
   std::string missing;        ///< why the shapes are not all of the link's geometry; "" = they are
 
   bool isWhole() const { return missing.empty(); }

@@ -22,6 +22,7 @@
 namespace link_bounds {
 
 /// Reads a mesh file, in metres as rviz draws it. Throws MeshError. Called from several threads.
+/// The vertices of the mesh are finite, its indices are those of vertices, and it has triangles.
 using MeshImporter = std::function<TriangleMesh(const MeshFile& file)>;
 
 /// The same within limits; what `deadline` throws ends it.

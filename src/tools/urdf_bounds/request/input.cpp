@@ -3,6 +3,8 @@
 // Each refusal says what could be given instead.
 #include "tools/urdf_bounds/request/input.h"
 
+#include <algorithm>
+
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/urdf/limit_warnings.h"
 #include "robot/urdf/simple_joints.h"
@@ -13,10 +15,20 @@
 namespace link_bounds {
 namespace {
 
+/// What can be given instead of the name of a floating or planar joint; "" for other names.
+std::string partsGiven(const Robot& robot, const std::string& name) {
+  const bool has_parts =
+      std::any_of(robot.joints.begin(), robot.joints.end(),
+                  [&](const Joint& joint) { return !name.empty() && joint.part_of == name; });
+  if (!has_parts) return "";
+  return ", or some of them, as in " + name + ".x:=0.5 or, with --reach and --pairs, " + name +
+         ".x:=-1..1";
+}
+
 void checkNames(const Robot& robot, const GivenRanges& given) {
   for (const auto& [name, range] : given) {
     const std::string reason = whyNoJoint(robot, name);
-    if (!reason.empty()) throw UsageError(reason);
+    if (!reason.empty()) throw UsageError(reason + partsGiven(robot, name));
     const Joint& joint = movableJoint(robot, name);
     if (joint.mimic) warn(whyIgnored(joint));
   }
