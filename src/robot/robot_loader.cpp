@@ -44,6 +44,14 @@ std::vector<LoadedTree> RobotLoader::loadTrees(const std::vector<std::string>& u
   return trees;
 }
 
+bool RobotLoader::has(const std::string& uri, const MeshSource& source) const {
+  try {
+    return store_.has(resolveMeshUri(uri, source.package_path, source.base_folder));
+  } catch (const MeshError&) {
+    return false;
+  }
+}
+
 std::vector<LoadedMesh> RobotLoader::loadAll(const std::vector<std::string>& uris,
                                              const MeshSource& source, MeshContent content) {
   try {

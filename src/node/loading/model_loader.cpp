@@ -93,6 +93,12 @@ std::uint64_t ModelLoader::fileBytes(const std::string& uri) {
   }
 }
 
+void ModelLoader::tellIfNotThere(const std::string& uri) {
+  const auto source = this->source({});
+  if (!source || robot_loader_.has(uri, *source)) return;
+  enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri] { on_mesh(uri, LoadedMesh()); });
+}
+
 void ModelLoader::requestMesh(const std::shared_ptr<const std::string>& wanted) {
   const std::string& uri = *wanted;
   const std::weak_ptr<const std::string> use = wanted;
@@ -104,7 +110,11 @@ void ModelLoader::requestMesh(const std::shared_ptr<const std::string>& wanted) 
     if (is_unwanted()) return;
     enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri, mesh] { on_mesh(uri, mesh); });
   };
-  readers_.post("mesh " + uri, {[this, uri] { return fileBytes(uri); }, load});
+  const auto bytes = [this, uri] {
+    tellIfNotThere(uri);
+    return fileBytes(uri);
+  };
+  readers_.post("mesh " + uri, {bytes, load});
 }
 
 void ModelLoader::requestTree(const TreeRequest& request) {

@@ -32,7 +32,8 @@ class ModelLoader {
 
   struct Handlers {
     std::function<void(ModelPtr)> adopt;  ///< as that of RobotLoading
-    /// On the update thread.
+    /// On the update thread. Without points and error, the file is another one than it was, and is
+    /// being read.
     std::function<void(const std::string& uri, const LoadedMesh& mesh)> on_mesh;
     /// On a reader.
     std::function<void(const TreeRequest& request, const LoadedTree& tree)> on_tree;
@@ -74,6 +75,7 @@ class ModelLoader {
                        const std::function<bool()>& is_stopping);
   void adopt(const ModelPtr& model);
   std::uint64_t fileBytes(const std::string& uri);
+  void tellIfNotThere(const std::string& uri);
 
   ros::CallbackQueueInterface& update_queue_;
   Handlers handlers_;

@@ -100,7 +100,7 @@ bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros:
   Mesh& known = meshes_[uri];
   known.points = mesh.points;
   known.error = mesh.error;
-  known.is_loading = false;
+  known.is_loading = !mesh.points && mesh.error.empty();
   if (!mesh.error.empty()) {
     const LiveObject* const user = objects_.firstWithMesh(uri);
     const std::string whose = user ? user->content->bounded.name + " of " + user->content->publisher
@@ -124,17 +124,20 @@ void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
   if (line) ROS_WARN_STREAM(*line);
 }
 
-void ObjectSource::reloadMeshes(ros::Time now) {
+void ObjectSource::reloadMeshes() {
   marker_log_.forget();
   neighbours_.forgetLog();
   mesh_log_.forget();
+  std::map<std::string, Mesh> known = std::move(meshes_);
   meshes_.clear();
   for (const auto& [key, object] : objects_.objects()) {
-    if (object.content->mesh_use) meshes_[object.content->mesh_uri].use = object.content->mesh_use;
-  }
-  for (auto& [uri, mesh] : meshes_) {
-    objects_.fillMesh(uri, LoadedMesh(), now);
-    request(mesh);
+    const ObjectContent& content = *object.content;
+    if (!content.mesh_use) continue;
+    const auto [mesh, is_new] = meshes_.try_emplace(content.mesh_uri);
+    if (!is_new) continue;
+    mesh->second.points = known[content.mesh_uri].points;
+    mesh->second.use = content.mesh_use;
+    request(mesh->second);
   }
 }
 

@@ -46,14 +46,16 @@ class ObjectSource {
     return neighbours_.removeEnded(now, has_left);
   }
 
+  /// Without points and error, its file is another one and is read again: until it is there,
+  /// objects keep their boxes and are incomplete.
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
   /// Logs which objects waited for a transform that did not come, or wait again and again.
   void warnOfGivenUp(ros::Time now);
 
-  /// Requests the meshes of all objects again: files may have been repaired or replaced. Until they
-  /// are there, objects keep their boxes and are incomplete. What was logged may be logged again.
-  void reloadMeshes(ros::Time now);
+  /// Requests the meshes of all objects again: files may have been repaired or replaced. What was
+  /// logged may be logged again.
+  void reloadMeshes();
 
  private:
   /// A mesh; it has neither points nor an error while it loads.

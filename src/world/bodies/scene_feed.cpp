@@ -18,7 +18,7 @@ void SceneFeed::adopt(std::shared_ptr<const Model> model, ros::Time now) {
   tf_.distrustStampsAhead(now);
   input_.forgetLog();
   scene_.adopt(std::move(model), now);
-  object_source_.reloadMeshes(now);
+  object_source_.reloadMeshes();
 }
 
 void SceneFeed::onTransforms(const std::vector<TransformView>& transforms, bool is_static,

@@ -170,6 +170,15 @@ class ObjectsAlone(unittest.TestCase):
             self.assertEqual(len([line for line in lines if "ERROR" in line]), 1, lines)
         self.boxes.wait_newest(lambda m: not m.incomplete and shows_box(m, "body/1", bounds),
                                "no fault")
+        self.boxes.clear()
+        corners = write_tetrahedron(path, 0.75)
+        self.assertTrue(self.reload().success)
+        changed = TURNED.bounds([(x, 2 * y, 3 * z) for x, y, z in corners])
+        message = self.boxes.wait(lambda m: "body/1" in m.incomplete, "the file is another one")
+        self.assertLess(difference(corners_of(box_of(message, "body/1")), bounds), TOLERANCE)
+        self.expect("body/1", changed)
+        self.assertFalse([name for m in self.boxes.messages for name in m.incomplete
+                          if name != "body/1"], "the others are as they were")
 
     def test_very_many_and_the_memory_after(self):
         before = resident_bytes(self.node.pid)

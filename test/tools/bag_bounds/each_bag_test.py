@@ -273,24 +273,6 @@ class ResumeTest(EachBagTest):
         path = self.write('lines.jsonl', self.lines(bags[:1], code=ENTERED)[0] + '\n')
         self.assertEqual(len(self.lines(bags, '--resume', path, code=ENTERED)), 1)
 
-    def test_a_damaged_bag_that_was_copied_again(self):
-        """Its name, size and first 64 KiB are the same."""
-        bag = self.long_bag()
-        with open(bag, 'rb') as file:
-            whole = file.read()
-        middle = len(whole) // 2
-        self.assertGreater(middle, 65536)
-        with open(bag, 'wb') as file:
-            file.write(whole[:middle] + bytes(1000) + whole[middle + 1000:])
-        lines = self.lines([bag], code=INCOMPLETE)
-        self.assertIn('copy it again', lines[0])
-        path = self.write('lines.jsonl', lines[0] + '\n')
-        self.assertEqual(self.lines([bag], '--resume', path, code=INCOMPLETE), lines)
-        with open(bag, 'wb') as file:
-            file.write(whole)
-        again = self.lines([bag], '--resume', path, code=0)
-        self.assertEqual([json.loads(line)['verdict'] for line in again], ['CLEAR'])
-
     def test_a_process_that_dies_is_tried_again(self):
         """Another program kills the process that reads a bag."""
         bags = [self.long_bag(), self.bag(calm(3), 'short.bag')]

@@ -83,7 +83,7 @@ class ObjectSourceTest : public testing::Test {
   ObjectSource source_{objects_, [this](const MeshUse&) { ++requests_; }};
 };
 
-/// After ~reload a file may be another one: nothing is complete before it is read again.
+/// After ~reload a file may be another one: then nothing is complete before it is read again.
 TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
   const auto cornersOf = [](float size) {
     const std::vector<Eigen::Vector3f> points{{0, 0, 0}, {size, 0, 0}, {0, size, size}};
@@ -106,7 +106,9 @@ TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
   EXPECT_FALSE(isIncomplete());
   for (const auto& read : {points, cornersOf(2)}) {
     const double before = widthOf();
-    source_.reloadMeshes(now_);
+    source_.reloadMeshes();
+    EXPECT_FALSE(isIncomplete()) << "nobody has looked at the file yet";
+    EXPECT_TRUE(source_.fillMesh(uri, LoadedMesh(), now_));
     EXPECT_TRUE(isIncomplete());
     EXPECT_EQ(widthOf(), before);
     marker.id = 2;

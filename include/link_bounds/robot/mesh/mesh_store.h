@@ -72,6 +72,9 @@ class MeshStore {
                                const MeshLimits& limits = {},
                                const std::function<bool()>& is_cancelled = nullptr);
 
+  /// Whether its points are in use, and the file is as it was read.
+  bool has(const MeshFile& file) const { return cached(file).points != nullptr; }
+
   /// The next load() reads these files again.
   void forgetFailures();
 

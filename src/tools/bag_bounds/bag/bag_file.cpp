@@ -20,6 +20,7 @@ constexpr std::uint64_t kNextHeaderSize = 512;       // bytes, typical
 constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;   // bytes, as in record.cpp
 constexpr std::uint64_t kMaxReadInVain = 256 << 20;  // bytes, beside twice the file
 constexpr std::int64_t kMinJumpBack = 500'000'000;   // ns; what comes late goes back by less
+const char* const kCopyAgain = "; copy it again from where it was recorded";
 
 std::string bytesText(std::uint64_t begin, std::uint64_t end) {
   return "bytes " + std::to_string(begin) + " to " + std::to_string(end);

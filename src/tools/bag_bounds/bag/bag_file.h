@@ -24,9 +24,6 @@
 
 namespace link_bounds {
 
-/// How a loss ends that a damaged bag has.
-constexpr char kCopyAgain[] = "; copy it again from where it was recorded";
-
 class BagFile {
  public:
   /// `name` is for messages. Throws std::runtime_error if these are not the bytes of a bag that can

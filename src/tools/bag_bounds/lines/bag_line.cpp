@@ -14,7 +14,6 @@
 #include <set>
 
 #include "text/joined.h"
-#include "tools/bag_bounds/bag/bag_file.h"
 #include "tools/bag_bounds/run/bag_report.h"
 #include "tools/bag_bounds/run/fingerprint.h"
 #include "tools/command_line/options.h"
@@ -55,13 +54,6 @@ std::string reasonIn(const YAML::Node& line) {
   return joined(texts, "; ");
 }
 
-bool tellsDamage(const YAML::Node& line) {
-  const YAML::Node losses = line["losses"];
-  return std::any_of(losses.begin(), losses.end(), [](const YAML::Node& loss) {
-    return loss.as<std::string>().find(kCopyAgain) != std::string::npos;
-  });
-}
-
 /// Behind the string that begins with a quote there.
 std::size_t endOfString(const std::string& json, std::size_t begin) {
   std::size_t end = begin + 1;
@@ -99,7 +91,6 @@ ReadLine parse(const std::string& text) {
   result.complete_code = result.exit_code;
   if (line["complete_exit"]) result.complete_code = line["complete_exit"].as<int>();
   result.reason = reasonIn(line);
-  result.is_damaged = tellsDamage(line);
   if (line["left_out"]) result.left_out = line["left_out"].as<std::string>();
   if (const YAML::Node least = line["coverage"]; least && !least.IsNull())
     result.coverage = {least["name"].as<std::string>(), least["share"].as<double>()};

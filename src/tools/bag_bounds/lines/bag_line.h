@@ -76,8 +76,6 @@ struct ReadLine {
   std::string left_out;  ///< as in the line; "" of a bag about which nothing can be said
   std::string reason;    ///< why it is not clear, beside a finding; "" if there is nothing to say
 
-  bool is_damaged = false;  ///< the bag, which may have been copied again since
-
   bool hasDied() const { return verdict == "DIED"; }
 };
 

@@ -197,7 +197,7 @@ std::optional<BagLine> EachBag::knownLine(const BagIdentity& bag,
     if (found == file.lines.end() || !bag.size) continue;
     const ReadLine& line = found->second;
     const bool is_same = line.bag.size == bag.size && line.bag.head == bag.head;
-    if (is_same && line.question == fingerprint_ && !line.hasDied() && !line.is_damaged)
+    if (is_same && line.question == fingerprint_ && !line.hasDied())
       return BagLine{line.text, line.exit_code, line.complete_code};
   }
   return std::nullopt;
