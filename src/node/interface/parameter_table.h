@@ -152,9 +152,10 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
         "namespace");
   visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
-  visit("timeout", p.timeout, rules::notNegative,
-        "ROS seconds without a newer stamp of a frame on its path until a link is stale: no box, in "
-        "incomplete. 0 = never");
+  visit(
+      "timeout", p.timeout, rules::notNegative,
+      "ROS seconds without a newer stamp of a frame on its path until a link is stale: no box, in "
+      "incomplete. 0 = never");
   visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
         "goes before link names in tf; if not set here, it is found upwards as "
         "robot_state_publisher finds it");
