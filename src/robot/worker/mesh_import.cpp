@@ -102,11 +102,14 @@ constexpr std::array kLosses = {
     // Of errors that may have one of the words below, as in a name.
     "to instanced node", "unresolved reference format", "unexpected eof"};
 
-/// X3D nodes, in small letters, that assimp skips and that have no geometry below them.
-constexpr std::array kNoGeometryInX3d = {"viewpoint\"",  "navigationinfo", "background", "fog",
-                                         "worldinfo",    "light",          "metadata",   "sensor",
-                                         "interpolator", "sequencer",      "trigger",    "toggle",
-                                         "script",       "sound",          "audioclip"};
+/// Parts of names of X3D nodes, in small letters, that assimp skips and that hide no geometry.
+constexpr std::array kNoGeometryInX3d = {
+    "navigationinfo", "background",   "fog",       "worldinfo", "light",      "metadata",
+    "sensor",         "interpolator", "sequencer", "trigger",   "toggle",     "script",
+    "sound",          "audioclip",    "damper",    "chaser",    "filter",     "protodeclare",
+    "route",          "import",       "export",    "clipplane", "viewpoint\""};
+
+constexpr char kSkippingNode[] = "skipping node \"";  // then its name, in quotes
 
 /// An error with one of these leaves out no geometry; all other errors may.
 constexpr std::array kNoLosses = {
@@ -138,8 +141,11 @@ class LossLog : public Assimp::Logger {
   void OnVerboseDebug(const char*) {}
   void OnInfo(const char* message) {
     const std::string text = inSmallLetters(message);
-    if (text.find("skipping node \"") != std::string::npos && !hasAny(kNoGeometryInX3d, text))
-      note(message);
+    const std::size_t begin = text.find(kSkippingNode);
+    if (begin == std::string::npos) return;
+    const std::size_t name = begin + sizeof(kSkippingNode) - 1;
+    const std::size_t length = text.find('"', name) - name + 1;
+    if (!hasAny(kNoGeometryInX3d, text.substr(name, length))) note(message);
   }
   void OnWarn(const char* message) {
     if (hasAny(kLosses, inSmallLetters(message))) note(message);
