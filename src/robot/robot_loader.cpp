@@ -47,7 +47,7 @@ std::vector<LoadedTree> RobotLoader::loadTrees(const std::vector<std::string>& u
 bool RobotLoader::has(const std::string& uri, const MeshSource& source) const {
   try {
     return store_.has(resolveMeshUri(uri, source.package_path, source.base_folder));
-  } catch (const MeshError&) {
+  } catch (const std::exception&) {  // package_path may throw any
     return false;
   }
 }

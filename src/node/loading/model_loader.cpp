@@ -93,10 +93,13 @@ std::uint64_t ModelLoader::fileBytes(const std::string& uri) {
   }
 }
 
-void ModelLoader::tellIfNotThere(const std::string& uri) {
-  const auto source = this->source({});
-  if (!source || robot_loader_.has(uri, *source)) return;
-  enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri] { on_mesh(uri, LoadedMesh()); });
+void ModelLoader::lookAtMesh(const std::shared_ptr<const std::string>& wanted) {
+  const auto look = [this, uri = *wanted](const MeshReaders::IsCancelled& is_cancelled) {
+    const auto source = this->source(is_cancelled);
+    if (!source || robot_loader_.has(uri, *source)) return;
+    enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri] { on_mesh(uri, LoadedMesh()); });
+  };
+  readers_.post("look at " + *wanted, {[] { return 0; }, look});
 }
 
 void ModelLoader::requestMesh(const std::shared_ptr<const std::string>& wanted) {
@@ -110,11 +113,7 @@ void ModelLoader::requestMesh(const std::shared_ptr<const std::string>& wanted) 
     if (is_unwanted()) return;
     enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri, mesh] { on_mesh(uri, mesh); });
   };
-  const auto bytes = [this, uri] {
-    tellIfNotThere(uri);
-    return fileBytes(uri);
-  };
-  readers_.post("mesh " + uri, {bytes, load});
+  readers_.post("mesh " + uri, {[this, uri] { return fileBytes(uri); }, load});
 }
 
 void ModelLoader::requestTree(const TreeRequest& request) {

@@ -32,8 +32,7 @@ class ModelLoader {
 
   struct Handlers {
     std::function<void(ModelPtr)> adopt;  ///< as that of RobotLoading
-    /// On the update thread. Without points and error, the file is another one than it was, and is
-    /// being read.
+    /// On the update thread. Without points and error, the file has changed since it was read.
     std::function<void(const std::string& uri, const LoadedMesh& mesh)> on_mesh;
     /// On a reader.
     std::function<void(const TreeRequest& request, const LoadedTree& tree)> on_tree;
@@ -47,10 +46,12 @@ class ModelLoader {
   ModelLoader& operator=(const ModelLoader&) = delete;
 
   /// The mesh of objects, as long as somebody has the URI: else loading it ends without an answer.
-  /// This and the next two return at once and may be called on any thread.
+  /// This and the next three return at once and may be called on any thread.
   /// Before the first model nothing is loaded: to adopt a model is to request all meshes again.
   void requestMesh(const std::shared_ptr<const std::string>& uri);
   void requestTree(const TreeRequest& request);
+  /// Before what is requested later, on_mesh tells whether the file has changed.
+  void lookAtMesh(const std::shared_ptr<const std::string>& uri);
   void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
 
   /// As RobotLoader::loadTrees(), on the thread that calls; nothing before the first model.
@@ -75,7 +76,6 @@ class ModelLoader {
                        const std::function<bool()>& is_stopping);
   void adopt(const ModelPtr& model);
   std::uint64_t fileBytes(const std::string& uri);
-  void tellIfNotThere(const std::string& uri);
 
   ros::CallbackQueueInterface& update_queue_;
   Handlers handlers_;

@@ -104,10 +104,11 @@ constexpr std::array kLosses = {
 
 /// Parts of names of X3D nodes, in small letters, that assimp skips and that hide no geometry.
 constexpr std::array kNoGeometryInX3d = {
-    "navigationinfo", "background",   "fog",       "worldinfo", "light",      "metadata",
-    "sensor",         "interpolator", "sequencer", "trigger",   "toggle",     "script",
-    "sound",          "audioclip",    "damper",    "chaser",    "filter",     "protodeclare",
-    "route",          "import",       "export",    "clipplane", "viewpoint\""};
+    "navigationinfo",  "background",   "fog",       "worldinfo",  "light",  "metadata",
+    "sensor",          "interpolator", "sequencer", "trigger",    "toggle", "script",
+    "sound",           "audioclip",    "damper",    "chaser",     "filter", "protodeclare",
+    "route",           "import",       "export",    "clipplane",  "easein", "viewport\"",
+    "vertexattribute", "texture",      "material",  "properties", "shader", "viewpoint\""};
 
 constexpr char kSkippingNode[] = "skipping node \"";  // then its name, in quotes
 

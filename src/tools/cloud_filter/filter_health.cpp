@@ -6,6 +6,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <iomanip>
 #include <sstream>
@@ -29,16 +30,16 @@ std::string text(double value, int decimals) {
   return out.str();
 }
 
-/// Without words that are numbers: times differ from message to message. Digits of names stay.
+/// Without the digits of words that are numbers: times differ from message to message. Names are
+/// in quotes, or have letters.
 std::string withoutNumbers(const std::string& text) {
   std::string result;
-  bool is_number = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_digit = '0' <= text[i] && text[i] <= '9';
-    const char before = i > 0 ? text[i - 1] : ' ';
-    const bool begins = before == ' ' || before == '(' || before == '-';
-    is_number = is_digit ? is_number || begins : is_number && text[i] == '.';
-    if (!is_number) result += text[i];
+  bool is_quoted = false, is_name = false;
+  for (const char c : text) {
+    const bool is_letter = std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+    is_quoted ^= c == '"';
+    is_name = c != ' ' && (is_name || is_letter);
+    if (is_quoted || is_name || c < '0' || c > '9') result += c;
   }
   return result;
 }

@@ -15,6 +15,14 @@ bool isSame(const Shape& a, const Shape& b) {
 
 }  // namespace
 
+void ObjectContent::setMesh(const LoadedMesh& mesh) {
+  std::shared_ptr<const PointSet>& points = bounded.shapes.front().points;
+  is_read_again = points && !mesh.points && mesh.error.empty();
+  if (!is_read_again) points = mesh.points;
+  bounded.missing =
+      is_read_again ? "its mesh " + mesh_uri + " has changed and is still loading" : mesh.error;
+}
+
 bool isSameBody(const ObjectContent& a, const ObjectContent& b) {
   const std::vector<Shape>& shapes = b.bounded.shapes;
   return a.drawing == b.drawing &&

@@ -9,6 +9,7 @@
 
 #include "link_bounds/geometry/box/box_groups.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
+#include "link_bounds/robot/mesh/mesh_store.h"
 #include "world/bodies/marker_shape.h"
 #include "world/tf/frame_tracker.h"
 
@@ -27,8 +28,10 @@ struct ObjectContent {
   ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
   std::string mesh_uri;    ///< of a mesh, whose shape has no points while it loads
   MeshUse mesh_use;        ///< null without a mesh
-  Drawing drawing;         ///< what the marker draws with the shapes
-  std::string publisher;   ///< name of the node that sent it
+  /// The file of the mesh has changed and is read again: the points are those that it had.
+  bool is_read_again = false;
+  Drawing drawing;        ///< what the marker draws with the shapes
+  std::string publisher;  ///< name of the node that sent it
   /// A box of another node. It follows its frame, and no box of it is newer than `stamp`; 0:
   /// static.
   bool is_neighbour = false;
@@ -44,8 +47,12 @@ struct ObjectContent {
   }
   /// False if there is nothing to make a box of. A neighbour's box may cover only part of its link.
   bool isBounded() const {
-    return is_neighbour ? !bounded.shapes.empty() : bounded.isWhole() && !isLoading();
+    if (is_neighbour) return !bounded.shapes.empty();
+    return is_read_again || (bounded.isWhole() && !isLoading());
   }
+
+  /// `mesh` has neither points nor an error where its file has changed and is read again.
+  void setMesh(const LoadedMesh& mesh);
 };
 
 /// True if both have the same shapes in their header frames, drawn in the same way.

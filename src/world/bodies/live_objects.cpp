@@ -191,11 +191,12 @@ bool LiveObjects::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::
   bool is_changed = false;
   for (LiveObject* user : users->second) {
     LiveObject& object = *user;
-    const BoundedLink& bounded = object.content->bounded;
-    if (bounded.shapes.front().points == mesh.points && bounded.missing == mesh.error) continue;
+    const BoundedLink& before = object.content->bounded;
     auto content = std::make_shared<ObjectContent>(*object.content);
-    content->bounded.shapes.front().points = mesh.points;
-    content->bounded.missing = mesh.error;
+    content->setMesh(mesh);
+    if (content->bounded.shapes.front().points == before.shapes.front().points &&
+        content->bounded.missing == before.missing)
+      continue;
     object.content = std::move(content);
     object.boxes = LinkBoxes({object.content->bounded});
     is_changed |= refresh(object, now);

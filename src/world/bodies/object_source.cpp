@@ -19,9 +19,6 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Meshes that are remembered: a publisher may invent names without end.
-constexpr std::size_t kMaxMeshes = 10000;
-
 std::int64_t placementStamp(const Marker& marker) {
   return marker.frame_locked ? 0 : nanosecondsOf(marker.header.stamp);
 }
@@ -38,8 +35,11 @@ std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
 }  // namespace
 
 ObjectSource::ObjectSource(LiveObjects& objects,
-                           std::function<void(const MeshUse& use)> request_mesh)
-    : objects_(objects), request_mesh_(std::move(request_mesh)) {}
+                           std::function<void(const MeshUse& use)> request_mesh,
+                           std::function<void(const MeshUse& use)> look_at_mesh)
+    : objects_(objects),
+      request_mesh_(std::move(request_mesh)),
+      look_at_mesh_(std::move(look_at_mesh)) {}
 
 bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time now) {
   if (marker.action == Marker::DELETEALL)
@@ -81,14 +81,20 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
 /// Gives the content its mesh. Requests the mesh the first time, and again where its loading was
 /// given up because no object used it meanwhile.
 void ObjectSource::useMesh(ObjectContent& content) {
-  if (meshes_.size() >= kMaxMeshes && meshes_.count(content.mesh_uri) == 0) meshes_.clear();
+  if (meshes_.size() >= max_meshes_ && meshes_.count(content.mesh_uri) == 0) forgetMeshes();
   Mesh& mesh = meshes_[content.mesh_uri];
   const MeshUse use = mesh.use.lock();
   content.mesh_use = use ? use : std::make_shared<const std::string>(content.mesh_uri);
   mesh.use = content.mesh_use;
-  content.bounded.missing = mesh.error;
-  content.bounded.shapes.front().points = mesh.points.lock();
+  content.setMesh({mesh.points.lock(), mesh.error});
+  if (mesh.has_changed) content.setMesh(LoadedMesh());
   if (content.isLoading() && !(use && mesh.is_loading)) request(mesh);
+}
+
+void ObjectSource::forgetMeshes() {
+  for (auto mesh = meshes_.begin(); mesh != meshes_.end();)
+    mesh = mesh->second.use.expired() ? meshes_.erase(mesh) : std::next(mesh);
+  max_meshes_ = std::max(kMaxMeshes, 2 * meshes_.size());
 }
 
 void ObjectSource::request(Mesh& mesh) {
@@ -98,9 +104,11 @@ void ObjectSource::request(Mesh& mesh) {
 
 bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
   Mesh& known = meshes_[uri];
-  known.points = mesh.points;
+  const bool is_there = mesh.points || !mesh.error.empty();
+  if (!is_there && !known.is_loading) return false;  // it was read since somebody looked at it
   known.error = mesh.error;
-  known.is_loading = !mesh.points && mesh.error.empty();
+  known.has_changed = known.is_loading = !is_there;
+  if (is_there) known.points = mesh.points;
   if (!mesh.error.empty()) {
     const LiveObject* const user = objects_.firstWithMesh(uri);
     const std::string whose = user ? user->content->bounded.name + " of " + user->content->publisher
@@ -136,9 +144,12 @@ void ObjectSource::reloadMeshes() {
     const auto [mesh, is_new] = meshes_.try_emplace(content.mesh_uri);
     if (!is_new) continue;
     mesh->second.points = known[content.mesh_uri].points;
+    mesh->second.has_changed = known[content.mesh_uri].has_changed;
     mesh->second.use = content.mesh_use;
-    request(mesh->second);
+    look_at_mesh_(content.mesh_use);
   }
+  for (auto& [uri, mesh] : meshes_)
+    request(mesh);
 }
 
 }  // namespace link_bounds

@@ -30,7 +30,10 @@ inline bool isDrawing(const visualization_msgs::Marker& marker) {
 /// an incomplete name changed.
 class ObjectSource {
  public:
-  ObjectSource(LiveObjects& objects, std::function<void(const MeshUse& use)> request_mesh);
+  /// `look_at_mesh` has fillMesh() called without a mesh if the file has changed since it was read.
+  ObjectSource(
+      LiveObjects& objects, std::function<void(const MeshUse& use)> request_mesh,
+      std::function<void(const MeshUse& use)> look_at_mesh = [](const MeshUse&) {});
 
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
@@ -46,8 +49,8 @@ class ObjectSource {
     return neighbours_.removeEnded(now, has_left);
   }
 
-  /// Without points and error, its file is another one and is read again: until it is there,
-  /// objects keep their boxes and are incomplete.
+  /// Without points and error, its file has changed and is read again: until it is there, objects
+  /// have the boxes of the old one and are incomplete.
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
   /// Logs which objects waited for a transform that did not come, or wait again and again.
@@ -58,11 +61,12 @@ class ObjectSource {
   void reloadMeshes();
 
  private:
-  /// A mesh; it has neither points nor an error while it loads.
+  /// A mesh; it has neither points nor an error while it loads the first time.
   struct Mesh {
     std::weak_ptr<const PointSet> points;
     std::string error;
     bool is_loading = false;
+    bool has_changed = false;  ///< its file, since the points were read
     std::weak_ptr<const std::string> use;
   };
 
@@ -70,12 +74,17 @@ class ObjectSource {
                           const std::string& publisher);
   void useMesh(ObjectContent& content);
   void warn(const LiveObject& object, const std::string& reason);
+  void forgetMeshes();
   void request(Mesh& mesh);
 
   LiveObjects& objects_;
   NeighbourSets neighbours_{objects_};
   std::function<void(const MeshUse& use)> request_mesh_;
+  std::function<void(const MeshUse& use)> look_at_mesh_;
+  /// A publisher may invent names without end: those that nobody uses are forgotten now and then.
+  static constexpr std::size_t kMaxMeshes = 10000;
   std::map<std::string, Mesh> meshes_;  ///< by URI
+  std::size_t max_meshes_ = kMaxMeshes;
   RefusalLog marker_log_{"the marker", "further markers"};
   RefusalLog mesh_log_{"the mesh", "meshes of further objects"};
 };

@@ -55,11 +55,10 @@ void TransformBuffer::count(std::uint64_t TfIntake::*what, bool is_needed) {
   if (is_needed) ++(needed_intake_.*what);
 }
 
-/// One without a name may be of any frame.
 void TransformBuffer::countByName(std::uint64_t TfIntake::*what, std::string_view child) {
   if (!child.empty() && child.front() == '/') child.remove_prefix(1);
   const std::optional<Frame> frame = find(child);
-  count(what, child.empty() || (frame && edges_[*frame].isNeeded()));
+  count(what, frame && edges_[*frame].isNeeded());
 }
 
 void TransformBuffer::countDropped(const TransformView& transform) {

@@ -42,6 +42,15 @@ class ObjectSourceTest : public testing::Test {
     return source_.take(std::move(marker), publisher, now_);
   }
 
+  static Marker meshMarker(int id, const std::string& uri) {
+    Marker marker = markerOf(Marker::MESH_RESOURCE, {1, 1, 1});
+    marker.header.frame_id = "map";
+    marker.ns = "scene";
+    marker.id = id;
+    marker.mesh_resource = uri;
+    return marker;
+  }
+
   static Marker cubeOf(const std::string& ns) {
     Marker marker = cube();
     marker.ns = ns;
@@ -80,7 +89,12 @@ class ObjectSourceTest : public testing::Test {
   FrameTracker frames_{tf_};
   LiveObjects objects_{frames_};
   int requests_ = 0;
-  ObjectSource source_{objects_, [this](const MeshUse&) { ++requests_; }};
+  int looks_ = 0;
+  ObjectSource source_{objects_, [this](const MeshUse&) { ++requests_; },
+                       [this](const MeshUse&) {
+                         EXPECT_EQ(requests_, 0) << "all are looked at before one is read";
+                         ++looks_;
+                       }};
 };
 
 /// After ~reload a file may be another one: then nothing is complete before it is read again.
@@ -89,39 +103,53 @@ TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
     const std::vector<Eigen::Vector3f> points{{0, 0, 0}, {size, 0, 0}, {0, size, size}};
     return std::make_shared<const PointSet>(points);
   };
-  const auto widthOf = [this] {
-    const BoxState& state = objects_.objects().at(kMarkerKey).state;
-    return state.box ? state.box->sizes().x() : 0;
-  };
-  const auto isIncomplete = [this] { return objects_.objects().at(kMarkerKey).state.incomplete; };
+  const auto stateOf = [this](int id) { return objects_.objects().at({"scene", id}).state; };
   const std::string uri = "file:///part.stl";
-  Marker marker = markerOf(Marker::MESH_RESOURCE, {1, 1, 1});
-  marker.header.frame_id = "map";
-  marker.ns = kMarkerKey.ns;
-  marker.id = kMarkerKey.id;
-  marker.mesh_resource = uri;
-  take(marker);
+  const auto markerAt = [&](int id, double x) {
+    Marker marker = meshMarker(id, uri);
+    marker.pose.position.x = x;
+    return marker;
+  };
+  take(markerAt(1, 0));
   const auto points = cornersOf(1);
   source_.fillMesh(uri, {points, ""}, now_);
-  EXPECT_FALSE(isIncomplete());
+  EXPECT_FALSE(stateOf(1).incomplete);
+  EXPECT_FALSE(source_.fillMesh(uri, LoadedMesh(), now_)) << "somebody looked too late";
+  EXPECT_FALSE(stateOf(1).incomplete);
   for (const auto& read : {points, cornersOf(2)}) {
-    const double before = widthOf();
+    looks_ = requests_ = 0;
     source_.reloadMeshes();
-    EXPECT_FALSE(isIncomplete()) << "nobody has looked at the file yet";
+    EXPECT_EQ(looks_, 1);
+    EXPECT_EQ(requests_, 1);
+    EXPECT_FALSE(stateOf(1).incomplete) << "nobody has looked at the file yet";
     EXPECT_TRUE(source_.fillMesh(uri, LoadedMesh(), now_));
-    EXPECT_TRUE(isIncomplete());
-    EXPECT_EQ(widthOf(), before);
-    marker.id = 2;
-    take(marker);
-    EXPECT_FALSE(objects_.objects().at({"scene", 2}).state.box) << "what is new waits";
+    take(markerAt(1, 5));
+    take(markerAt(2, 7));
+    for (const int id : {1, 2}) {
+      const BoxState state = stateOf(id);
+      EXPECT_TRUE(state.incomplete);
+      ASSERT_TRUE(state.box);
+      EXPECT_NEAR(state.box->min().x(), id == 1 ? 5 : 7, 1e-6) << "it moves";
+      EXPECT_NEAR(state.box->sizes().x(), 1, 1e-6);
+    }
     source_.fillMesh(uri, {read, ""}, now_);
-    EXPECT_FALSE(isIncomplete());
-    marker.action = Marker::DELETE;
-    take(marker);
-    marker.action = Marker::ADD;
+    EXPECT_FALSE(stateOf(1).incomplete || stateOf(2).incomplete);
+    take(markerAt(1, 0));
   }
-  EXPECT_NEAR(widthOf(), 2, 1e-6);
-  EXPECT_EQ(requests_, 3);
+  EXPECT_NEAR(stateOf(1).box->sizes().x(), 2, 1e-6);
+  EXPECT_NEAR(stateOf(2).box->sizes().x(), 2, 1e-6);
+}
+
+/// Objects of one mesh wait for the same load, however many names there were between them.
+TEST_F(ObjectSourceTest, MeshesInUseAreNotForgottenForOthers) {
+  take(meshMarker(1, "file:///part.stl"));
+  for (int i = 0; i < 25000; ++i)
+    take(meshMarker(2, "file:///" + std::to_string(i)));
+  EXPECT_EQ(requests_, 25001);
+  take(meshMarker(3, "file:///part.stl"));
+  EXPECT_EQ(requests_, 25001);
+  EXPECT_EQ(objects_.objects().at({"scene", 1}).content->mesh_use,
+            objects_.objects().at({"scene", 3}).content->mesh_use);
 }
 
 TEST_F(ObjectSourceTest, AnUnknownActionIsRefusedWithAReason) {
