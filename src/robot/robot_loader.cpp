@@ -22,7 +22,11 @@ RobotLoader::RobotLoader(MeshRemedy remedy)
 RobotLoader::RobotLoader(MeshImporter importer, MeshRemedy remedy)
     : remedy_(std::move(remedy)),
       store_(
-          [importer = std::move(importer)](const MeshFile& file) { return welded(importer(file)); },
+          [importer = std::move(importer)](const MeshFile& file) {
+            TriangleMesh mesh = importer(file);
+            checkTriangles(mesh);
+            return mesh;
+          },
           remedy_) {}
 
 BoundedRobot RobotLoader::load(const Robot& robot, const Selection& selection,

@@ -88,7 +88,7 @@ class RobotLoader {
   explicit RobotLoader(MeshRemedy remedy = plainRemedy);
 
   /// Mesh files are read by `importer`, which MeshSource::limits do not concern. What it returns is
-  /// checked; vertices that no triangle uses do not count.
+  /// checked.
   explicit RobotLoader(MeshImporter importer, MeshRemedy remedy = plainRemedy);
 
   RobotLoader(const RobotLoader&) = delete;

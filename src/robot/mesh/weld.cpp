@@ -10,6 +10,16 @@
 namespace link_bounds {
 namespace {
 
+void checkCount(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw MeshError("it has no triangle");
+}
+
+void checkIndex(std::uint32_t index, std::size_t vertices) {
+  if (index < vertices) return;
+  throw MeshError("a triangle names vertex " + std::to_string(index) + " of " +
+                  std::to_string(vertices));
+}
+
 using Bits = std::array<std::uint32_t, 3>;
 
 /// Fibonacci hashing: the constant is 2^64 / golden ratio.
@@ -62,10 +72,7 @@ class Welder {
       : source_(source), new_index_(source.size(), kNone), index_of_bits_(source.size()) {}
 
   std::uint32_t indexOf(std::uint32_t old_index) {
-    if (old_index >= source_.size()) {
-      throw MeshError("a triangle names vertex " + std::to_string(old_index) + " of " +
-                      std::to_string(source_.size()));
-    }
+    checkIndex(old_index, source_.size());
     std::uint32_t& index = new_index_[old_index];
     if (index == kNone) index = insert(source_[old_index]);
     return index;
@@ -90,8 +97,19 @@ class Welder {
 
 }  // namespace
 
+void checkTriangles(const TriangleMesh& mesh) {
+  checkCount(mesh);
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t index : triangle)
+      checkIndex(index, mesh.vertices.size());
+  }
+  for (const Eigen::Vector3f& vertex : mesh.vertices) {
+    if (!vertex.allFinite()) throw MeshError("it has a vertex that is not a finite number");
+  }
+}
+
 TriangleMesh welded(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) throw MeshError("it has no triangle");
+  checkCount(mesh);
   Welder welder(mesh.vertices);
   TriangleMesh result;
   result.triangles.reserve(mesh.triangles.size());

@@ -13,4 +13,7 @@ namespace link_bounds {
 /// index is out of range, or a vertex in use is not finite.
 TriangleMesh welded(const TriangleMesh& mesh);
 
+/// Throws MeshError if there is no triangle, an index is out of range, or any vertex is not finite.
+void checkTriangles(const TriangleMesh& mesh);
+
 }  // namespace link_bounds
