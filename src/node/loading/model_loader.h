@@ -50,7 +50,8 @@ class ModelLoader {
   /// Before the first model nothing is loaded: to adopt a model is to request all meshes again.
   void requestMesh(const std::shared_ptr<const std::string>& uri);
   void requestTree(const TreeRequest& request);
-  /// Before what is requested later, on_mesh tells whether the file has changed.
+  /// Looks at the file before it reads what is requested later. If the file has changed, calls
+  /// on_mesh without a mesh.
   void lookAtMesh(const std::shared_ptr<const std::string>& uri);
   void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
 

@@ -51,7 +51,7 @@ struct ObjectContent {
     return is_read_again || (bounded.isWhole() && !isLoading());
   }
 
-  /// `mesh` has neither points nor an error where its file has changed and is read again.
+  /// A `mesh` without points and error is not there yet: points of an older file then stay.
   void setMesh(const LoadedMesh& mesh);
 };
 

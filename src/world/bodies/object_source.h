@@ -30,7 +30,8 @@ inline bool isDrawing(const visualization_msgs::Marker& marker) {
 /// an incomplete name changed.
 class ObjectSource {
  public:
-  /// `look_at_mesh` has fillMesh() called without a mesh if the file has changed since it was read.
+  /// After `look_at_mesh`, fillMesh() is called without a mesh if the file has changed since it was
+  /// read.
   ObjectSource(
       LiveObjects& objects, std::function<void(const MeshUse& use)> request_mesh,
       std::function<void(const MeshUse& use)> look_at_mesh = [](const MeshUse&) {});

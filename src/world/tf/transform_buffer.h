@@ -152,8 +152,8 @@ class TransformBuffer {
   /// The same of needed edges alone.
   const TfIntake& neededIntake() const { return needed_intake_; }
 
-  /// A pose that somebody follows comes from this edge, until release(). After a clear() it counts
-  /// as needed until it has a transform again.
+  /// A pose that somebody follows comes from this edge, until release(). After a clear() the edge
+  /// counts as needed until a transform of it is accepted.
   void need(Frame child) { ++edges_[child].needs; }
   void release(Frame child) { --edges_[child].needs; }
 

@@ -14,7 +14,7 @@ namespace link_bounds {
 /// one of the two bodies is replaced, or with forgetUnused(). Bounds of find() and of
 /// bodyDistance() hold alike and are as near to each other, but they may differ within
 /// goal.tolerance(). A memory takes up to 97 KiB for a pair of meshes and less than 1 KiB for
-/// others. Throws nothing but std::bad_alloc. Not thread-safe. What was moved from may only be
+/// others. Throws nothing but std::bad_alloc. Not thread-safe. A moved-from object may only be
 /// assigned to or destroyed.
 class BodyDistances {
  public:

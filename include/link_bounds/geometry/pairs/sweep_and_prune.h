@@ -20,7 +20,7 @@ struct BoxPair {
 
 /// Finds the pairs again whenever the boxes have moved, and also when boxes come or go. The result
 /// depends on the boxes alone. A search is faster when no box has moved far since the last one.
-/// What was moved from may only be assigned to or destroyed.
+/// A moved-from object may only be assigned to or destroyed.
 class SweepAndPrune {
  public:
   SweepAndPrune();
