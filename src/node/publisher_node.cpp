@@ -58,9 +58,9 @@ void PublisherNode::guardMessage(const std::function<void()>& body) {
 PublisherNode::PublisherNode()
     : node_(onQueue(ros::NodeHandle(), queue_)),
       private_node_(onQueue(ros::NodeHandle("~"), queue_)),
-      feed_({[this](const MeshUse& use) { loader_->requestMesh(use); }, [this] { onNews(); },
+      feed_({[this](const auto& request) { loader_->requestMesh(request); }, [this] { onNews(); },
              [this](const std::string& node) { return master_watch_->hasLeft(node); },
-             [this](const MeshUse& use) { loader_->lookAtMesh(use); }}),
+             [this](const auto& request) { loader_->lookAtMesh(request); }}),
       output_(periodic_, private_node_, scene_, guard_, treeRequests()),
       diagnostics_(node_),
       tf_receiver_(node_,
@@ -91,8 +91,8 @@ PublisherNode::PublisherNode()
   ModelLoader::Handlers handlers;
   // What adopt() throws becomes ~reload's answer.
   handlers.adopt = [this](const auto& model) { measure([&] { adopt(model); }); };
-  handlers.on_mesh = [this](const auto& uri, const auto& mesh) {
-    guard_([&] { feed_.onMesh(uri, mesh, ros::Time::now()); });
+  handlers.on_mesh = [this](const auto& request, const auto& mesh) {
+    guard_([&] { feed_.onMesh(request, mesh, ros::Time::now()); });
   };
   handlers.on_tree = [this](const auto& request, const auto& tree) { onTree(request, tree); };
   loader_ = std::make_unique<ModelLoader>(node_, private_node_, queue_, std::move(handlers));

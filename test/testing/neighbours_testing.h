@@ -70,7 +70,7 @@ class NeighboursTest : public LiveObjectsTest {
 
   const LiveObject& arm() const { return *find("/right/bounds/arm"); }
 
-  ObjectSource source_{objects_, [](const MeshUse&) {}};
+  ObjectSource source_{objects_, [](const MeshRequest&) {}};
 };
 
 }  // namespace link_bounds

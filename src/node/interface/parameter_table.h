@@ -176,8 +176,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "links with this many movable joints between them, or fewer, are never a pair, in "
         "any topic or answer; >= 0");
   visit("max_pairs", p.max_pairs, rules::positiveInt,
-        "pairs, > 0, in one message of ~distances: the nearest ones; who has others is in "
-        "incomplete, and /diagnostics counts those");
+        "pairs, > 0, in one message of ~distances: the nearest ones; bodies whose further "
+        "pairs do not fit are in incomplete, and /diagnostics counts those pairs");
   visit("distance_limit", p.distance_limit, rules::length,
         "metres, 0 to 1e6; pairs of bodies with distance <= it are in ~distances");
   visit("distance_accuracy", p.distance_accuracy, rules::positiveLength,

@@ -24,9 +24,9 @@ constexpr TopicName kBoxesTopic{
     "with each tf message that brings a new pose or stamp of a bounded link, and whenever an "
     "object or incomplete changes; under load, one message answers several of tf; limited by "
     "max_rate; latched"};
-constexpr TopicName kGroupsTopic{
-    "~groups", "link_bounds/AxisAlignedBoxArray",
-    "with each ~boxes: box robot, then one per groups entry in alphabetical order; latched"};
+constexpr TopicName kGroupsTopic{"~groups", "link_bounds/AxisAlignedBoxArray",
+                                 "with each ~boxes: box robot, then one per groups entry with a "
+                                 "box, in alphabetical order; latched"};
 constexpr TopicName kMarkersTopic{
     "~markers", "visualization_msgs/MarkerArray",
     "all boxes, at most marker_rate, only while somebody listens; a new subscriber gets all at "

@@ -93,27 +93,28 @@ std::uint64_t ModelLoader::fileBytes(const std::string& uri) {
   }
 }
 
-void ModelLoader::lookAtMesh(const std::shared_ptr<const std::string>& wanted) {
-  const auto look = [this, uri = *wanted](const MeshReaders::IsCancelled& is_cancelled) {
+void ModelLoader::lookAtMesh(const MeshRequest& request) {
+  const auto look = [this, request](const MeshReaders::IsCancelled& is_cancelled) {
     const auto source = this->source(is_cancelled);
-    if (!source || robot_loader_.has(uri, *source)) return;
-    enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri] { on_mesh(uri, LoadedMesh()); });
+    if (source && !robot_loader_.has(request.uri, *source)) answer(request, LoadedMesh());
   };
-  readers_.post("look at " + *wanted, {[] { return 0; }, look});
+  readers_.post("look at " + request.uri, {[] { return 0; }, look});
 }
 
-void ModelLoader::requestMesh(const std::shared_ptr<const std::string>& wanted) {
-  const std::string& uri = *wanted;
-  const std::weak_ptr<const std::string> use = wanted;
-  const auto load = [this, uri, use](const MeshReaders::IsCancelled& is_cancelled) {
-    const auto is_unwanted = [&] { return is_cancelled() || use.expired(); };
+void ModelLoader::requestMesh(const MeshRequest& request) {
+  const auto load = [this, request](const MeshReaders::IsCancelled& is_cancelled) {
+    const auto is_unwanted = [&] { return is_cancelled() || request.use.expired(); };
     const auto source = this->source(is_unwanted);
     if (!source) return;
-    const LoadedMesh mesh = robot_loader_.loadMeshes({uri}, *source).front();
-    if (is_unwanted()) return;
-    enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri, mesh] { on_mesh(uri, mesh); });
+    const LoadedMesh mesh = robot_loader_.loadMeshes({request.uri}, *source).front();
+    if (!is_unwanted()) answer(request, mesh);
   };
-  readers_.post("mesh " + uri, {[this, uri] { return fileBytes(uri); }, load});
+  readers_.post("mesh " + request.uri,
+                {[this, uri = request.uri] { return fileBytes(uri); }, load});
+}
+
+void ModelLoader::answer(const MeshRequest& request, const LoadedMesh& mesh) {
+  enqueue(update_queue_, [on_mesh = handlers_.on_mesh, request, mesh] { on_mesh(request, mesh); });
 }
 
 void ModelLoader::requestTree(const TreeRequest& request) {

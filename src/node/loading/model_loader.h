@@ -14,6 +14,7 @@
 #include "node/interface/read_parameters.h"
 #include "node/loading/mesh_readers.h"
 #include "node/loading/robot_loading.h"
+#include "world/bodies/object_source.h"
 #include "world/model/model.h"
 
 namespace link_bounds {
@@ -33,7 +34,7 @@ class ModelLoader {
   struct Handlers {
     std::function<void(ModelPtr)> adopt;  ///< as that of RobotLoading
     /// On the update thread. Without points and error, the file has changed since it was read.
-    std::function<void(const std::string& uri, const LoadedMesh& mesh)> on_mesh;
+    std::function<void(const MeshRequest& request, const LoadedMesh& mesh)> on_mesh;
     /// On a reader.
     std::function<void(const TreeRequest& request, const LoadedTree& tree)> on_tree;
   };
@@ -45,14 +46,14 @@ class ModelLoader {
   ModelLoader(const ModelLoader&) = delete;
   ModelLoader& operator=(const ModelLoader&) = delete;
 
-  /// The mesh of objects, as long as somebody has the URI: else loading it ends without an answer.
+  /// Where nobody waits for the mesh any more, loading it ends without an answer.
   /// This and the next three return at once and may be called on any thread.
   /// Before the first model nothing is loaded: to adopt a model is to request all meshes again.
-  void requestMesh(const std::shared_ptr<const std::string>& uri);
+  void requestMesh(const MeshRequest& request);
   void requestTree(const TreeRequest& request);
   /// Looks at the file before it reads what is requested later. If the file has changed, calls
   /// on_mesh without a mesh.
-  void lookAtMesh(const std::shared_ptr<const std::string>& uri);
+  void lookAtMesh(const MeshRequest& request);
   void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
 
   /// As RobotLoader::loadTrees(), on the thread that calls; nothing before the first model.
@@ -76,6 +77,7 @@ class ModelLoader {
   Loading::Loaded load(const std::string& urdf, const Parameters& parameters,
                        const std::function<bool()>& is_stopping);
   void adopt(const ModelPtr& model);
+  void answer(const MeshRequest& request, const LoadedMesh& mesh);
   std::uint64_t fileBytes(const std::string& uri);
 
   ros::CallbackQueueInterface& update_queue_;

@@ -93,7 +93,7 @@ Received<CheckPath::Request> PathService::read(const Params& params) {
                              "; send it in pieces, each from the last point of the one before");
   if (!(std::isfinite(request.clearance) && request.clearance >= 0))
     throw std::runtime_error("clearance is " + std::to_string(request.clearance) +
-                             " m; it must be 0 or more");
+                             " m; it must be a finite number, 0 or more");
   return request;
 }
 

@@ -80,7 +80,7 @@ class HeldObjects {
   std::function<void()> on_change_;
   FrameTracker frames_;  ///< has no fixed frame: only names and lifetimes count
   LiveObjects objects_{frames_};
-  ObjectSource source_{objects_, [](const MeshUse&) {}};
+  ObjectSource source_{objects_, [](const MeshRequest&) {}};
   std::shared_ptr<const FilteredRobot> robot_;
   Objects held_;
   std::map<ObjectKey, std::string> asked_;  ///< the frame that a marker asked to follow

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <vector>
 
 #include "world/bodies/marker_refusal.h"
 #include "world/bodies/marker_shape.h"
@@ -35,8 +36,8 @@ std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
 }  // namespace
 
 ObjectSource::ObjectSource(LiveObjects& objects,
-                           std::function<void(const MeshUse& use)> request_mesh,
-                           std::function<void(const MeshUse& use)> look_at_mesh)
+                           std::function<void(const MeshRequest&)> request_mesh,
+                           std::function<void(const MeshRequest&)> look_at_mesh)
     : objects_(objects),
       request_mesh_(std::move(request_mesh)),
       look_at_mesh_(std::move(look_at_mesh)) {}
@@ -78,8 +79,8 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   return content;
 }
 
-/// Gives the content its mesh. Requests the mesh the first time, and again where its loading was
-/// given up because no object used it meanwhile.
+/// Gives the content its mesh. Requests the mesh the first time, and again where loading it may
+/// have been given up because no object used it meanwhile.
 void ObjectSource::useMesh(ObjectContent& content) {
   if (meshes_.size() >= max_meshes_ && meshes_.count(content.mesh_uri) == 0) forgetMeshes();
   Mesh& mesh = meshes_[content.mesh_uri];
@@ -88,7 +89,8 @@ void ObjectSource::useMesh(ObjectContent& content) {
   mesh.use = content.mesh_use;
   content.setMesh({mesh.points.lock(), mesh.error});
   if (mesh.has_changed) content.setMesh(LoadedMesh());
-  if (content.isLoading() && !(use && mesh.is_loading)) request(mesh);
+  const bool is_requested = mesh.request != 0;
+  if (is_requested ? !use : content.isLoading()) request_mesh_(request(content.mesh_uri, mesh));
 }
 
 void ObjectSource::forgetMeshes() {
@@ -97,18 +99,25 @@ void ObjectSource::forgetMeshes() {
   max_meshes_ = std::max(kMaxMeshes, 2 * meshes_.size());
 }
 
-void ObjectSource::request(Mesh& mesh) {
-  mesh.is_loading = true;
-  request_mesh_(mesh.use.lock());
+MeshRequest ObjectSource::request(const std::string& uri, Mesh& mesh) {
+  mesh.request = ++requests_;
+  return {uri, mesh.use, mesh.request};
 }
 
-bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
-  Mesh& known = meshes_[uri];
+bool ObjectSource::fillMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now) {
+  const std::string& uri = request.uri;
+  const auto found = meshes_.find(uri);
+  if (found == meshes_.end() || found->second.request == 0) return false;
+  Mesh& known = found->second;
   const bool is_there = mesh.points || !mesh.error.empty();
-  if (!is_there && !known.is_loading) return false;  // it was read since somebody looked at it
+  const bool is_last = request.number == known.request;
+  // Until somebody has looked at the file anew, an earlier answer is as good as the points before.
+  const bool is_of_use = is_last || (is_there && !known.has_changed && !known.points.expired());
+  if (!is_of_use) return false;
   known.error = mesh.error;
-  known.has_changed = known.is_loading = !is_there;
+  known.has_changed = !is_there;
   if (is_there) known.points = mesh.points;
+  if (is_there && is_last) known.request = 0;
   if (!mesh.error.empty()) {
     const LiveObject* const user = objects_.firstWithMesh(uri);
     const std::string whose = user ? user->content->bounded.name + " of " + user->content->publisher
@@ -138,6 +147,7 @@ void ObjectSource::reloadMeshes() {
   mesh_log_.forget();
   std::map<std::string, Mesh> known = std::move(meshes_);
   meshes_.clear();
+  std::vector<MeshRequest> requests;
   for (const auto& [key, object] : objects_.objects()) {
     const ObjectContent& content = *object.content;
     if (!content.mesh_use) continue;
@@ -146,10 +156,12 @@ void ObjectSource::reloadMeshes() {
     mesh->second.points = known[content.mesh_uri].points;
     mesh->second.has_changed = known[content.mesh_uri].has_changed;
     mesh->second.use = content.mesh_use;
-    look_at_mesh_(content.mesh_use);
+    requests.push_back(request(content.mesh_uri, mesh->second));
   }
-  for (auto& [uri, mesh] : meshes_)
-    request(mesh);
+  for (const MeshRequest& request : requests)
+    look_at_mesh_(request);
+  for (const MeshRequest& request : requests)
+    request_mesh_(request);
 }
 
 }  // namespace link_bounds

@@ -6,6 +6,7 @@
 #include <link_bounds/AxisAlignedBoxArray.h>
 #include <visualization_msgs/Marker.h>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -25,6 +26,13 @@ inline bool isDrawing(const visualization_msgs::Marker& marker) {
   return marker.ns.compare(0, sizeof(kDrawingsNamespace) - 1, kDrawingsNamespace) == 0;
 }
 
+/// A mesh that objects wait for.
+struct MeshRequest {
+  std::string uri;
+  std::weak_ptr<const std::string> use;  ///< once it has gone, nobody waits for the mesh
+  std::uint64_t number = 0;              ///< the later, the larger
+};
+
 /// Runs on the update thread. Requests meshes by `request_mesh`, which returns at once; the mesh,
 /// or why there is none, comes back through fillMesh(). Functions return true if a box, a stamp or
 /// an incomplete name changed.
@@ -33,8 +41,8 @@ class ObjectSource {
   /// After `look_at_mesh`, fillMesh() is called without a mesh if the file has changed since it was
   /// read.
   ObjectSource(
-      LiveObjects& objects, std::function<void(const MeshUse& use)> request_mesh,
-      std::function<void(const MeshUse& use)> look_at_mesh = [](const MeshUse&) {});
+      LiveObjects& objects, std::function<void(const MeshRequest&)> request_mesh,
+      std::function<void(const MeshRequest&)> look_at_mesh = [](const MeshRequest&) {});
 
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
@@ -51,8 +59,9 @@ class ObjectSource {
   }
 
   /// Without points and error, its file has changed and is read again: until it is there, objects
-  /// have the boxes of the old one and are incomplete.
-  bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
+  /// have the boxes of the old one and are incomplete. An answer to an earlier request than the
+  /// last one of the mesh leaves that one open: the file may have changed since.
+  bool fillMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now);
 
   /// Logs which objects waited for a transform that did not come, or wait again and again.
   void warnOfGivenUp(ros::Time now);
@@ -66,8 +75,8 @@ class ObjectSource {
   struct Mesh {
     std::weak_ptr<const PointSet> points;
     std::string error;
-    bool is_loading = false;
-    bool has_changed = false;  ///< its file, since the points were read
+    std::uint64_t request = 0;  ///< the number of the one that is not answered yet; 0: none
+    bool has_changed = false;   ///< its file, since the points were read
     std::weak_ptr<const std::string> use;
   };
 
@@ -76,12 +85,13 @@ class ObjectSource {
   void useMesh(ObjectContent& content);
   void warn(const LiveObject& object, const std::string& reason);
   void forgetMeshes();
-  void request(Mesh& mesh);
+  MeshRequest request(const std::string& uri, Mesh& mesh);
 
   LiveObjects& objects_;
   NeighbourSets neighbours_{objects_};
-  std::function<void(const MeshUse& use)> request_mesh_;
-  std::function<void(const MeshUse& use)> look_at_mesh_;
+  std::function<void(const MeshRequest&)> request_mesh_;
+  std::function<void(const MeshRequest&)> look_at_mesh_;
+  std::uint64_t requests_ = 0;
   /// A publisher may invent names without end: those that nobody uses are forgotten now and then.
   static constexpr std::size_t kMaxMeshes = 10000;
   std::map<std::string, Mesh> meshes_;  ///< by URI

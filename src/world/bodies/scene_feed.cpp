@@ -65,8 +65,8 @@ void SceneFeed::onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSen
   taken(object_source_.takeNeighbour(boxes, sender, now), now);
 }
 
-void SceneFeed::onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
-  if (object_source_.fillMesh(uri, mesh, now)) onNews();
+void SceneFeed::onMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now) {
+  if (object_source_.fillMesh(request, mesh, now)) onNews();
 }
 
 void SceneFeed::onTick(ros::Time now) {

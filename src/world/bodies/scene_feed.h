@@ -24,13 +24,13 @@ class SceneFeed {
  public:
   struct Handlers {
     /// Requests the mesh of an object; returns at once. The mesh comes back through onMesh().
-    std::function<void(const MeshUse& use)> request_mesh;
+    std::function<void(const MeshRequest& request)> request_mesh;
     /// A box, a stamp or an incomplete name changed. Called only if there is a model, and at most
     /// once for each update, tick and jump of the clock.
     std::function<void()> on_news;
     HasLeft has_left = [](const std::string&) { return false; };  ///< of neighbours
     /// Looks soon whether the file of a mesh has changed; if so, onMesh() is called without a mesh.
-    std::function<void(const MeshUse& use)> look_at_mesh = [](const MeshUse&) {};
+    std::function<void(const MeshRequest& request)> look_at_mesh = [](const MeshRequest&) {};
   };
 
   /// See ClockWatch of `steady_now`.
@@ -64,7 +64,7 @@ class SceneFeed {
   /// ~boxes of another node.
   void onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender, ros::Time now);
 
-  void onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
+  void onMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now);
 
   /// To be called every kTick [s]: finds what has become too old, at most one tick late.
   void onTick(ros::Time now);

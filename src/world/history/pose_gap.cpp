@@ -44,9 +44,10 @@ bool isStaticPath(const TransformBuffer& tf, Frame target, Frame source) {
 
 std::string secondsText(std::int64_t nanoseconds) {
   constexpr std::int64_t kSecond = 1000000000;
-  std::string fraction = std::to_string(kSecond + nanoseconds % kSecond).substr(1);
+  std::string fraction = std::to_string(kSecond + std::abs(nanoseconds % kSecond)).substr(1);
   fraction.erase(std::max<std::size_t>(fraction.find_last_not_of('0') + 1, 1));
-  return std::to_string(nanoseconds / kSecond) + "." + fraction;
+  const std::string sign = nanoseconds < 0 ? "-" : "";
+  return sign + std::to_string(std::abs(nanoseconds / kSecond)) + "." + fraction;
 }
 
 }  // namespace link_bounds

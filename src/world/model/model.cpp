@@ -64,11 +64,16 @@ bool isAsked(const Link& link, const Selection& selection) {
          (selection.collision && hasGeometry(link, Purpose::kCollision));
 }
 
-/// For each group that names links with geometry of the other kind only: its box lacks them.
-std::vector<std::string> groupsWithLeftOut(const Parameters& parameters, const Robot& robot,
-                                           const Selection& selection) {
+/// For each group without members, and for each that names links with geometry of the other kind
+/// only: its box lacks them.
+std::vector<std::string> groupWarnings(const Parameters& parameters, const Robot& robot,
+                                       const Selection& selection) {
   std::vector<std::string> warnings;
   for (const auto& [group, members] : parameters.groups) {
+    if (members.empty())
+      warnings.push_back("box \"" + group +
+                         "\" of ~groups has no members, so it is in no message; "
+                         "name some in ~groups");
     std::vector<std::string> names;
     for (const Link& link : robot.links) {
       const bool has_any =
@@ -320,8 +325,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.warnings = unknownLinks(parameters, names, otherNames(parameters, ignored_pairs, names));
   for (const auto& warnings :
        {unknownJoints(parameters, robot), bounded.part_problems, nameWarnings(model.links),
-        groupsWithLeftOut(parameters, robot, selection),
-        valueWarnings(parameters, model.links.empty()), robot.warnings})
+        groupWarnings(parameters, robot, selection), valueWarnings(parameters, model.links.empty()),
+        robot.warnings})
     model.warnings.insert(model.warnings.end(), warnings.begin(), warnings.end());
   return model;
 }

@@ -142,6 +142,13 @@ class SceneMaker {
     } else if (problem.empty()) {
       problem = "it has no place";
     }
+    if (problem.empty() && !carrier.is_known && mayStayBehind(body, carrier.link)) {
+      problem =
+          "the trajectory moves the fixed frame, in which it was placed once; stamp 0 to follow "
+          "its "
+          "frame, or choose a fixed frame that rests";
+      placed.is_whole = false;
+    }
     if (!carrier.is_known) strays_.push_back(result_.bodies.size());
     push(std::move(placed), {&name, std::nullopt}, problem);
   }
@@ -216,15 +223,24 @@ class SceneMaker {
     return tracker_.keep(*frame).problem != TransformProblem::kNoTransform;
   }
 
+  /// An object that was placed once, by another frame than the fixed one, has stayed in that one
+  /// since. If the trajectory moves the fixed frame, the object need not follow.
+  bool mayStayBehind(const PastBody& body, std::size_t link) const {
+    return !body.header && body.frame_from_body && !body.held &&
+           body.object->frame != tf_.name(*body.frame) && isMoved(link);
+  }
+
   /// The link of the robot to which the object is attached, or below whose frame its own one is. An
   /// object that was placed once rests in the fixed frame.
   Carrier carrierOf(const PastBody& body) {
     const std::optional<std::size_t> above = linkAbove(body);
-    const Carrier own{above.value_or(original_.root), false, above || isKnownToRest(body)};
     if (body.held) return {body.held->link};
     const auto attached = bodyOf(model_, {&body.bounded->name, std::nullopt});
     const auto& of_links = rigid_in_urdf_.of_links;
-    if (!attached || (above && of_links[*above] == *attached)) return own;
+    if (attached && above && of_links[*above] == *attached) return {*above};
+    const bool is_known = above ? !mayStayBehind(body, *above) : isKnownToRest(body);
+    const Carrier own{above.value_or(original_.root), false, is_known};
+    if (!attached) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
     if (link == of_links.end()) return own;
     const auto held_by = static_cast<std::size_t>(link - of_links.begin());
@@ -243,9 +259,11 @@ class SceneMaker {
            "that link, with stamp 0, or send it anew with a new stamp";
   }
 
-  bool moves(std::size_t body) const {
-    return rigid_.of_links[result_.bodies[body].link] != rigid_.of_links[original_.root];
+  bool isMoved(std::size_t link) const {
+    return rigid_.of_links[link] != rigid_.of_links[original_.root];
   }
+
+  bool moves(std::size_t body) const { return isMoved(result_.bodies[body].link); }
 
   /// Two bodies that both rest are no pair, so there are few of many objects.
   void addPairs(const PathLimits& limits) {

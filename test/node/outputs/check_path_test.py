@@ -321,7 +321,7 @@ class CheckPathTest(unittest.TestCase):
                  turned(*[0] * (LONG + 1)))):
             self.refuse(words, path)
         for clearance in (-1e-9, math.nan, math.inf):
-            self.refuse("clearance is .* must be 0 or more", good, clearance)
+            self.refuse("clearance is .* must be a finite number, 0 or more", good, clearance)
         late = trajectory(["turn"], [0], [1], velocities=([0], [0]))
         late.points[1].time_from_start = rospy.Duration()
         self.refuse(r"time_from_start of points\[1\] is not after that of points\[0\]", late)

@@ -90,8 +90,13 @@ class ObjectSourceTest : public testing::Test {
   LiveObjects objects_{frames_};
   int requests_ = 0;
   int looks_ = 0;
-  ObjectSource source_{objects_, [this](const MeshUse&) { ++requests_; },
-                       [this](const MeshUse&) {
+  MeshRequest last_;
+  ObjectSource source_{objects_,
+                       [this](const MeshRequest& request) {
+                         ++requests_;
+                         last_ = request;
+                       },
+                       [this](const MeshRequest&) {
                          EXPECT_EQ(requests_, 0) << "all are looked at before one is read";
                          ++looks_;
                        }};
@@ -112,9 +117,9 @@ TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
   };
   take(markerAt(1, 0));
   const auto points = cornersOf(1);
-  source_.fillMesh(uri, {points, ""}, now_);
+  source_.fillMesh(last_, {points, ""}, now_);
   EXPECT_FALSE(stateOf(1).incomplete);
-  EXPECT_FALSE(source_.fillMesh(uri, LoadedMesh(), now_)) << "somebody looked too late";
+  EXPECT_FALSE(source_.fillMesh(last_, LoadedMesh(), now_)) << "somebody looked too late";
   EXPECT_FALSE(stateOf(1).incomplete);
   for (const auto& read : {points, cornersOf(2)}) {
     looks_ = requests_ = 0;
@@ -122,7 +127,7 @@ TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
     EXPECT_EQ(looks_, 1);
     EXPECT_EQ(requests_, 1);
     EXPECT_FALSE(stateOf(1).incomplete) << "nobody has looked at the file yet";
-    EXPECT_TRUE(source_.fillMesh(uri, LoadedMesh(), now_));
+    EXPECT_TRUE(source_.fillMesh(last_, LoadedMesh(), now_));
     take(markerAt(1, 5));
     take(markerAt(2, 7));
     for (const int id : {1, 2}) {
@@ -132,7 +137,7 @@ TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
       EXPECT_NEAR(state.box->min().x(), id == 1 ? 5 : 7, 1e-6) << "it moves";
       EXPECT_NEAR(state.box->sizes().x(), 1, 1e-6);
     }
-    source_.fillMesh(uri, {read, ""}, now_);
+    source_.fillMesh(last_, {read, ""}, now_);
     EXPECT_FALSE(stateOf(1).incomplete || stateOf(2).incomplete);
     take(markerAt(1, 0));
   }

@@ -33,7 +33,7 @@ struct Fed {
   bool joins;
   int news = 0;
   std::size_t joined = 0;
-  SceneFeed feed{{[](const MeshUse&) {}, [this] { ++news; }}};
+  SceneFeed feed{{[](const MeshRequest&) {}, [this] { ++news; }}};
 };
 
 /// Follows a frame, is replaced or removed. One with a stamp may have to wait for its transform and
@@ -146,7 +146,7 @@ class SceneFeedTest : public testing::Test {
   using Boxes = std::map<std::string, double>;
 
   ros::SteadyTime steady_{1000};
-  SceneFeed feed_{{[](const MeshUse&) {}, [] {}}, [this] { return steady_; }};
+  SceneFeed feed_{{[](const MeshRequest&) {}, [] {}}, [this] { return steady_; }};
 };
 
 /// A busy node takes them long after the jump that it has seen.

@@ -323,6 +323,8 @@ TEST(SecondsText, HasTheDigitsThatCount) {
   EXPECT_EQ(secondsText(0), "0.0");
   EXPECT_EQ(secondsText(1500000000), "1.5");
   EXPECT_EQ(secondsText(1700000000000000001), "1700000000.000000001");
+  EXPECT_EQ(secondsText(-250000000), "-0.25");
+  EXPECT_EQ(secondsText(-351303523606343508), "-351303523.606343508");
 }
 
 ObjectContent cuboid(const std::string& name) {

@@ -90,6 +90,10 @@ TEST(Model, AMemberWithGeometryOfTheOtherKindIsWarnedOf) {
       << model.warnings[0];
   parameters.geometry = "both";
   EXPECT_TRUE(modelWith(parameters, urdf).warnings.empty());
+  parameters.groups["none"];
+  ASSERT_EQ(modelWith(parameters, urdf).warnings.size(), 1u);
+  EXPECT_EQ(modelWith(parameters, urdf).warnings[0].find("box \"none\" of ~groups has no members"),
+            0u);
 }
 
 TEST(Model, ASpanThatTfDoesNotRememberIsWarnedOf) {

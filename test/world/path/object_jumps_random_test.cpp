@@ -560,7 +560,7 @@ class JumpingScene {
   const std::shared_ptr<const Model> models_[2] = {jumpingModel("map", timeout_),
                                                    jumpingModel("odom", timeout_)};
   ros::SteadyTime steady_{1000};
-  SceneFeed feed_{{[](const MeshUse&) {}, [] {}}, [this] { return steady_; }};
+  SceneFeed feed_{{[](const MeshRequest&) {}, [] {}}, [this] { return steady_; }};
   std::shared_ptr<const Model> model_;
   JumpingStep now_{100'000'000'000, 0, 0, 0, ""};
   JumpingEdge edges_[4];

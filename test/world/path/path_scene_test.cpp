@@ -200,6 +200,20 @@ TEST(PathScene, ABodyThatIsAttachedToAnotherArmThanItFollowsMayMoveWithEither) {
   }
 }
 
+TEST(PathScene, APlacedBodyMayStayBehindAFixedFrameThatTheTrajectoryMoves) {
+  MovingRobot arms(kTwoArms, inFrame("arm"));
+  arms.add("base", "arm", kStamp, at(0, 1));
+  arms.add("base", "other", kStamp, at(0, 2));
+  const auto incomplete = [&](const ObjectContent& content, const char* joint) {
+    arms.scene().objects.put(kKey, content, ros::Time(kStamp));
+    return pathOf(arms.scene(), arms.model(), kStamp, {joint}).incomplete;
+  };
+  EXPECT_EQ(incomplete(boxIn("base", kStamp), "turn"), Names{"scene/1"});
+  EXPECT_EQ(incomplete(boxIn("base", kStamp), "turn_other"), Names{});
+  EXPECT_EQ(incomplete(boxIn("base"), "turn"), Names{}) << "it follows its frame";
+  EXPECT_EQ(incomplete(boxIn("arm", kStamp), "turn"), Names{}) << "its frame is the fixed one";
+}
+
 // A camera of few frames per second, which does not move as seen from the arm or from its wrist.
 TEST(PathScene, WhatFollowsASlowFrameIsOnItsLinkAtOneTime) {
   for (const char* parent : {"arm", "wrist"}) {

@@ -55,7 +55,7 @@ RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
       load_mesh_(std::move(load_mesh)),
       on_news_(std::move(on_news)),
       on_step_(std::move(on_step)),
-      feed_({[this](const MeshUse& use) { wanted_meshes_.push_back(*use); },
+      feed_({[this](const auto& request) { wanted_meshes_.push_back(request); },
              [this] { on_news_(now_); }},
             [this] { return passed(); }) {
   feed_.scene().objects.needPlaces();
@@ -194,9 +194,9 @@ bool RecordedScene::feedMarkers(std::vector<visualization_msgs::Marker>& markers
 }
 
 bool RecordedScene::loadMeshes() {
-  for (const std::string& uri : std::exchange(wanted_meshes_, {})) {
+  for (const MeshRequest& request : std::exchange(wanted_meshes_, {})) {
     if (isInterrupted()) return false;
-    feed_.onMesh(uri, load_mesh_(uri), toRosTime(now_));
+    feed_.onMesh(request, load_mesh_(request.uri), toRosTime(now_));
   }
   return true;
 }

@@ -93,7 +93,7 @@ class RecordedScene {
   SceneFeed feed_;
   ObjectTopics object_topics_{feed_.scene().objects};
   TfMessage tf_message_;
-  std::vector<std::string> wanted_meshes_;
+  std::vector<MeshRequest> wanted_meshes_;
   std::uint64_t transforms_ = 0;
   std::uint64_t damaged_ = 0;
   std::uint64_t unfit_ = 0;
