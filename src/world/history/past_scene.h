@@ -48,6 +48,8 @@ struct PastBody {
   /// Of an object that was placed once and is attached to a link, if tf knows the link at that
   /// time. Only where BoxRequest::has_robot_frames is set.
   std::optional<HeldPlace> held;
+  /// An object that was placed once, in another fixed frame than the present one.
+  bool is_carried_over = false;
   std::int64_t stamp = 0;    ///< of the transform that placed it [ns]
   bool is_outdated = false;  ///< an object that may have been placed before the clock jumped back
   bool incomplete = false;   ///< whatever the time

@@ -180,12 +180,15 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   } else {
     body.incomplete = object.state.incomplete;
     body.reason = scene.objects.reason(object);
-    if (follows && request_.has_robot_frames) body.header = past_->excerpt.add(tf, object.frame);
+    const bool has_header = follows || (object.content->is_neighbour && !object.state.box);
+    if (has_header && request_.has_robot_frames) body.header = past_->excerpt.add(tf, object.frame);
     if (object.state.box) {
       body.object = object.boxed.content;
       body.frame = past_->excerpt.add(tf, *scene.frames.fixedFrame());
       body.frame_from_body = object.boxed.fixed_from_header;
       body.stamp = object.state.stamp;
+      body.is_carried_over =
+          object.placement && object.placement->fixed_frame != scene.frames.fixedFrame();
       body.is_outdated = object.stamp_time != StampTime::kKnown;
       if (!body.is_outdated && isHeldSince(scene, object)) body.held = heldPlace(scene, body);
     }

@@ -164,6 +164,7 @@ class SceneMaker {
     std::size_t link;
     bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
     bool is_known = true;       ///< false: it may be any link
+    bool is_beside = false;     ///< no link is above the object's frame, so the root counts
   };
 
   /// On the link that carries it. Fills `problem` if its place is not known.
@@ -177,14 +178,16 @@ class SceneMaker {
     }
     if (place_problem.empty() && carrier.is_elsewhere)
       place_problem = whyNotHeld(body, *link_frame);
-    if (place_problem.empty())
+    if (place_problem.empty() && !carrier.is_beside)
       place_problem = describe(poseOn(*link_frame, *body.frame).problem, tf_.name(*body.frame),
                                tf_.name(*link_frame));
     if (!place_problem.empty()) {
       problem = place_problem;
       return result;
     }
-    Eigen::Affine3d link_from_object = poseOn(*link_frame, *body.frame).fixed_from_frame.affine;
+    Eigen::Affine3d link_from_object =
+        carrier.is_beside ? poseBeside(*link_frame, *body.frame)
+                          : poseOn(*link_frame, *body.frame).fixed_from_frame.affine;
     if (body.frame_from_body) link_from_object = link_from_object * *body.frame_from_body;
     if (body.held) link_from_object = body.held->link_from_body;
     if (!link_from_object.matrix().allFinite()) {
@@ -205,13 +208,29 @@ class SceneMaker {
     return tracker->second.keep(frame);
   }
 
-  /// The link below whose frame the object's own one is, if there is one.
+  /// The same where both have their own places in the fixed frame, each at its newest time: a base
+  /// may have driven on since the object's frame was sent.
+  Eigen::Affine3d poseBeside(Frame link, Frame frame) {
+    const Eigen::Affine3d fixed_from_link = tracker_.keep(link).fixed_from_frame.affine;
+    return fixed_from_link.inverse(Eigen::Isometry) * tracker_.keep(frame).fixed_from_frame.affine;
+  }
+
+  /// The link below whose frame this one is, if there is one.
+  std::optional<std::size_t> linkAbove(Frame frame) const {
+    const auto is_link = [&](Frame at) { return links_.count(at) > 0; };
+    const auto found = links_.find(climb(tf_, frame, is_link));
+    return found != links_.end() ? std::make_optional(found->second) : std::nullopt;
+  }
+
+  /// That of the object's own frame.
   std::optional<std::size_t> linkAbove(const PastBody& body) const {
     const auto frame = body.header ? body.header : body.frame;
-    if (!frame) return std::nullopt;
-    const auto is_link = [&](Frame at) { return links_.count(at) > 0; };
-    const auto found = links_.find(climb(tf_, *frame, is_link));
-    return found != links_.end() ? std::make_optional(found->second) : std::nullopt;
+    return frame ? linkAbove(*frame) : std::nullopt;
+  }
+
+  bool isFixedFrameMoved() const {
+    const std::optional<std::size_t> above = linkAbove(scene_.target);
+    return above && isMoved(*above);
   }
 
   /// Whether tf, or the object itself, tells that it rests in the fixed frame, if no link is above
@@ -219,15 +238,14 @@ class SceneMaker {
   bool isKnownToRest(const PastBody& body) {
     if (body.object->is_neighbour) return true;
     const auto frame = body.header ? body.header : body.frame;
-    if (!frame) return !body.object->frame.empty();
+    if (!frame) return !body.object->frame.empty() && !isFixedFrameMoved();
     return tracker_.keep(*frame).problem != TransformProblem::kNoTransform;
   }
 
-  /// An object that was placed once, by another frame than the fixed one, has stayed in that one
-  /// since. If the trajectory moves the fixed frame, the object need not follow.
+  /// An object that was placed once has stayed in the fixed frame since. If the trajectory moves
+  /// that frame, the object need not follow.
   bool mayStayBehind(const PastBody& body, std::size_t link) const {
-    return !body.header && body.frame_from_body && !body.held &&
-           body.object->frame != tf_.name(*body.frame) && isMoved(link);
+    return !body.header && body.frame_from_body && !body.held && isMoved(link);
   }
 
   /// The link of the robot to which the object is attached, or below whose frame its own one is. An
@@ -237,9 +255,9 @@ class SceneMaker {
     if (body.held) return {body.held->link};
     const auto attached = bodyOf(model_, {&body.bounded->name, std::nullopt});
     const auto& of_links = rigid_in_urdf_.of_links;
-    if (attached && above && of_links[*above] == *attached) return {*above};
+    if (attached && above && of_links[*above] == *attached) return {*above, body.is_carried_over};
     const bool is_known = above ? !mayStayBehind(body, *above) : isKnownToRest(body);
-    const Carrier own{above.value_or(original_.root), false, is_known};
+    const Carrier own{above.value_or(original_.root), false, is_known, !above};
     if (!attached) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
     if (link == of_links.end()) return own;
@@ -250,13 +268,15 @@ class SceneMaker {
 
   /// Why the place of an attached object on its link is not known; "" if it is.
   std::string whyNotHeld(const PastBody& body, Frame link) {
+    constexpr char kNotKnown[] =
+        "where it is on the link to which it is attached is not known; let it follow a frame of "
+        "that link, with stamp 0, or send it anew with a new stamp";
+    if (body.is_carried_over) return kNotKnown;
     const std::vector<Frame> edges = edgesBetween(tf_, link, *body.frame);
     const auto is_static = [&](Frame frame) {
       return !tf_.hasParent(frame) || tf_.isStatic(frame);
     };
-    if (std::all_of(edges.begin(), edges.end(), is_static)) return "";
-    return "where it is on the link to which it is attached is not known; let it follow a frame of "
-           "that link, with stamp 0, or send it anew with a new stamp";
+    return std::all_of(edges.begin(), edges.end(), is_static) ? "" : kNotKnown;
   }
 
   bool isMoved(std::size_t link) const {

@@ -211,7 +211,63 @@ TEST(PathScene, APlacedBodyMayStayBehindAFixedFrameThatTheTrajectoryMoves) {
   EXPECT_EQ(incomplete(boxIn("base", kStamp), "turn"), Names{"scene/1"});
   EXPECT_EQ(incomplete(boxIn("base", kStamp), "turn_other"), Names{});
   EXPECT_EQ(incomplete(boxIn("base"), "turn"), Names{}) << "it follows its frame";
-  EXPECT_EQ(incomplete(boxIn("arm", kStamp), "turn"), Names{}) << "its frame is the fixed one";
+  EXPECT_EQ(incomplete(boxIn("arm", kStamp), "turn"), Names{"scene/1"});
+  EXPECT_EQ(incomplete(boxIn("arm"), "turn"), Names{});
+}
+
+/// It may be on the arm, which may touch it.
+TEST(PathScene, ABodyWithoutAPlaceIsNotKnownToRestInAFixedFrameThatTheTrajectoryMoves) {
+  for (const char* fixed_frame : {"arm", "base"}) {
+    Parameters parameters = inFrame(fixed_frame);
+    parameters.ignore_pairs = {"arm held/*", "other held/*"};
+    MovingRobot arms(kTwoArms, parameters);
+    arms.add("base", "arm", kStamp, at(0, 1));
+    arms.add("base", "other", kStamp, at(0, 2));
+    for (const char* ns : {"held", "post"}) {
+      ObjectContent content = ns == std::string("held") ? boxIn("nowhere", kStamp) : boxIn("base");
+      content.bounded.name = std::string(ns) + "/1";
+      arms.scene().objects.put({ns, 1}, content, ros::Time(kStamp));
+    }
+    const Names incomplete = pathOf(arms.scene(), arms.model(), kStamp, {"turn"}).incomplete;
+    const bool is_named = std::count(incomplete.begin(), incomplete.end(), "held/1") > 0;
+    EXPECT_EQ(is_named, fixed_frame == std::string("arm"));
+  }
+}
+
+/// Where it was placed in base, it stood while the arm turned.
+TEST(PathScene, ABodyThatWasPlacedInAnotherFixedFrameIsNotKnownToBeOnALink) {
+  for (const bool is_attached : {false, true}) {
+    Parameters parameters = inFrame("base");
+    if (is_attached) parameters.attached = {{"arm", {"scene/*"}}};
+    MovingRobot arms(kTwoArms, parameters);
+    const auto send = [&arms](double stamp, double turn) {
+      arms.add("base", "arm", stamp, at(0, turn));
+      arms.add("base", "other", stamp, at(0, 2));
+      arms.scene().update(ros::Time(kStamp));
+    };
+    send(kStamp - 1, 1);
+    arms.scene().objects.put(kKey, boxIn("arm", kStamp - 1), ros::Time(kStamp));
+    send(kStamp, 1.5);
+    parameters.fixed_frame = "arm";
+    RobotLoader loader([](const MeshFile&) { return TriangleMesh(); });
+    const auto model = std::make_shared<const Model>(makeModel(kTwoArms, parameters, loader, {}));
+    arms.scene().adopt(model, ros::Time(kStamp));
+    arms.scene().update(ros::Time(kStamp));
+    EXPECT_EQ(pathOf(arms.scene(), model, kStamp, {"turn"}).incomplete, Names{"scene/1"})
+        << is_attached;
+  }
+}
+
+/// The base has driven on since its frame was sent.
+TEST(PathScene, WhatTfTellsSeldomIsWhereItWasInTheFixedFrame) {
+  Arm arm(inFrame("map"));
+  arm.add("map", "table", kStamp, at(2));
+  arm.put("held", boxIn("table"));
+  for (int i = 0; i <= 50; ++i)
+    arm.send(kStamp + 0.01 * i, {0, 0}, at(0.03 * i));
+  const PathScene path = arm.path(kStamp + 0.5);
+  EXPECT_EQ(path.incomplete, Names{});
+  EXPECT_LT((placeOf(path, "held/1") - Eigen::Vector3d(0.5, 0, 0)).norm(), kTolerance);
 }
 
 // A camera of few frames per second, which does not move as seen from the arm or from its wrist.
@@ -283,6 +339,16 @@ TEST(PathScene, ANeighboursNameWithoutABoxRests) {
     arm.put("held", held);
     EXPECT_EQ(arm.path().incomplete, Names{}) << frame << ": the arm may touch it";
   }
+}
+
+/// As that of a gripper whose node has ended.
+TEST(PathScene, ANeighboursNameWithoutABoxMovesWithTheLinkAboveItsFrame) {
+  Arm arm(ignoring());
+  ObjectContent held = neighbourIn("arm", static_cast<std::int64_t>(kStamp * 1e9));
+  held.bounded.missing = "it is incomplete at its node";
+  held.bounded.shapes.clear();
+  arm.put("held", held);
+  EXPECT_EQ(arm.path().incomplete, Names{"held/1"});
 }
 
 TEST(PathScene, AfterAJumpBackTheStampOfAHeldBodyIsOfNoUse) {

@@ -72,8 +72,8 @@ class MeshStore {
                                const MeshLimits& limits = {},
                                const std::function<bool()>& is_cancelled = nullptr);
 
-  /// Whether its points are in use, and the file is as it was read.
-  bool has(const MeshFile& file) const { return cached(file).points != nullptr; }
+  /// Its points, if they are in use and the file is as it was read; else null.
+  std::shared_ptr<const PointSet> find(const MeshFile& file) const { return cached(file).points; }
 
   /// The next load() reads these files again.
   void forgetFailures();
