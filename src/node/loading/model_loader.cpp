@@ -21,6 +21,10 @@ namespace {
 /// Packages that are installed later are found, too. Searching takes some 10 ms.
 constexpr std::chrono::seconds kPackagesAge(1);
 
+bool isExpired(const std::weak_ptr<const PointSet>& points) {
+  return points.expired();
+}
+
 }  // namespace
 
 ModelLoader::ModelLoader(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
@@ -65,18 +69,17 @@ ModelLoader::Loading::Loaded ModelLoader::load(const std::string& urdf,
 }
 
 /// Looks at the files of the meshes of objects. On the loader thread, so that a model and what has
-/// changed are adopted together. What nobody uses any more is forgotten.
+/// changed are adopted together.
 ObjectSource::Points ModelLoader::unchangedMeshes() {
   ObjectSource::Points loaded;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (auto mesh = object_meshes_.begin(); mesh != object_meshes_.end();)
-      mesh = mesh->second.expired() ? object_meshes_.erase(mesh) : std::next(mesh);
     loaded = object_meshes_;
   }
   ObjectSource::Points unchanged;
   const auto source = this->source({});
   for (const auto& [uri, points] : loaded) {
+    if (isExpired(points)) continue;
     const auto found = source ? robot_loader_.find(uri, *source) : nullptr;
     if (found && found == points.lock()) unchanged.emplace(uri, points);
   }
@@ -122,6 +125,7 @@ void ModelLoader::requestMesh(const MeshRequest& request) {
     if (is_unwanted()) return;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
+      eraseDead(object_meshes_, max_object_meshes_, isExpired);
       object_meshes_[request.uri] = mesh.points;
     }
     enqueue(update_queue_,

@@ -81,9 +81,10 @@ class ModelLoader {
   Handlers handlers_;
   RobotLoader robot_loader_;
   std::mutex mutex_;
-  std::optional<MeshLimits> limits_;    ///< guarded by mutex_
-  ObjectSource::Points object_meshes_;  ///< guarded by mutex_; those it has loaded
-  PackagePath packages_;                ///< guarded by mutex_
+  std::optional<MeshLimits> limits_;             ///< guarded by mutex_
+  ObjectSource::Points object_meshes_;           ///< guarded by mutex_; those it has loaded
+  std::size_t max_object_meshes_ = kManyMeshes;  ///< guarded by mutex_
+  PackagePath packages_;                         ///< guarded by mutex_
   std::chrono::steady_clock::time_point packages_since_;  ///< guarded by mutex_
   MeshReaders readers_;  ///< this and the next one: after all that their threads use
   Loading loading_;

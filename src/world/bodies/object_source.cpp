@@ -78,7 +78,7 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
 /// Gives the content its mesh. Requests the mesh the first time, and again where loading it may
 /// have been given up because no object used it meanwhile.
 void ObjectSource::useMesh(ObjectContent& content) {
-  if (meshes_.size() >= max_meshes_ && meshes_.count(content.mesh_uri) == 0) forgetMeshes();
+  eraseDead(meshes_, max_meshes_, [](const Mesh& mesh) { return mesh.use.expired(); });
   Mesh& mesh = meshes_[content.mesh_uri];
   const MeshUse use = mesh.use.lock();
   content.mesh_use = use ? use : std::make_shared<const std::string>(content.mesh_uri);
@@ -87,12 +87,6 @@ void ObjectSource::useMesh(ObjectContent& content) {
   if (mesh.has_changed) content.setMesh(LoadedMesh());
   const bool is_requested = mesh.request != 0;
   if (is_requested ? !use : content.isLoading()) request(content.mesh_uri, mesh);
-}
-
-void ObjectSource::forgetMeshes() {
-  for (auto mesh = meshes_.begin(); mesh != meshes_.end();)
-    mesh = mesh->second.use.expired() ? meshes_.erase(mesh) : std::next(mesh);
-  max_meshes_ = std::max(kMaxMeshes, 2 * meshes_.size());
 }
 
 void ObjectSource::request(const std::string& uri, Mesh& mesh) {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "robot/mesh/erase_dead.h"
 #include "world/bodies/live_objects.h"
 #include "world/bodies/neighbour_sets.h"
 #include "world/log/refusal_log.h"
@@ -82,7 +83,6 @@ class ObjectSource {
                           const std::string& publisher);
   void useMesh(ObjectContent& content);
   void warn(const LiveObject& object, const std::string& reason);
-  void forgetMeshes();
   void request(const std::string& uri, Mesh& mesh);
 
   LiveObjects& objects_;
@@ -90,9 +90,8 @@ class ObjectSource {
   std::function<void(const MeshRequest&)> request_mesh_;
   std::uint64_t requests_ = 0;
   /// A publisher may invent names without end: those that nobody uses are forgotten now and then.
-  static constexpr std::size_t kMaxMeshes = 10000;
   std::map<std::string, Mesh> meshes_;  ///< by URI
-  std::size_t max_meshes_ = kMaxMeshes;
+  std::size_t max_meshes_ = kManyMeshes;
   RefusalLog marker_log_{"the marker", "further markers"};
   RefusalLog mesh_log_{"the mesh", "meshes of further objects"};
 };
