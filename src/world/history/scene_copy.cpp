@@ -180,7 +180,7 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   } else {
     body.incomplete = object.state.incomplete;
     body.reason = scene.objects.reason(object);
-    const bool has_header = follows || (object.content->is_neighbour && !object.state.box);
+    const bool has_header = follows || (object.content->follows() && !object.state.box);
     if (has_header && request_.has_robot_frames) body.header = past_->excerpt.add(tf, object.frame);
     if (object.state.box) {
       body.object = object.boxed.content;

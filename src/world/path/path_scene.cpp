@@ -144,9 +144,8 @@ class SceneMaker {
     }
     if (problem.empty() && !carrier.is_known && mayStayBehind(body, carrier.link)) {
       problem =
-          "the trajectory moves the fixed frame, in which it was placed once; stamp 0 to follow "
-          "its "
-          "frame, or choose a fixed frame that rests";
+          "it was placed once in the fixed frame, which the trajectory moves; "
+          "send it with stamp 0, or choose another fixed frame";
       placed.is_whole = false;
     }
     if (!carrier.is_known) strays_.push_back(result_.bodies.size());
