@@ -70,6 +70,20 @@ TEST(ContactTimes, AStaticJointThatMovesOnTfIsIncomplete) {
   EXPECT_TRUE(latched.earliest().incomplete.empty()) << "/tf_static decides again";
 }
 
+/// All is on /tf_static, so the boxes have no stamp.
+TEST(ContactTimes, WithoutAStampTenSecondsCountFromTheClock) {
+  MovingRobot robot(carts(), parametersOf("rail", 2));
+  for (const auto& [link, x] : {std::pair("left", 0.0), std::pair("right", 1.2)}) {
+    robot.tf().add({edge("rail", link, 0, Eigen::Quaterniond::Identity(), {x, 0, 0})}, true,
+                   ros::Time(kStamp));
+  }
+  robot.scene().update(ros::Time(kStamp));
+  const EarliestContactArray array = robot.earliest(kStamp + 1);
+  EXPECT_TRUE(array.header.stamp.isZero());
+  EXPECT_EQ(array.valid_until, ros::Time(kStamp + 11));
+  EXPECT_TRUE(array.incomplete.empty());
+}
+
 /// A pose that is known is not of the future.
 TEST(ContactTimes, AStampAheadOfTheClockDelaysNothing) {
   MovingRobot robot(carts(), parametersOf("rail", 2));
