@@ -48,11 +48,12 @@ std::vector<LoadedTree> RobotLoader::loadTrees(const std::vector<std::string>& u
   return trees;
 }
 
-bool RobotLoader::has(const std::string& uri, const MeshSource& source) const {
+std::shared_ptr<const PointSet> RobotLoader::find(const std::string& uri,
+                                                  const MeshSource& source) const {
   try {
-    return store_.has(resolveMeshUri(uri, source.package_path, source.base_folder));
+    return store_.find(resolveMeshUri(uri, source.package_path, source.base_folder));
   } catch (const std::exception&) {  // package_path may throw any
-    return false;
+    return nullptr;
   }
 }
 

@@ -107,8 +107,8 @@ class RobotLoader {
   /// the number of files.
   std::vector<LoadedTree> loadTrees(const std::vector<std::string>& uris, const MeshSource& source);
 
-  /// Whether the points of that mesh are in use, and its file is as it was read.
-  bool has(const std::string& uri, const MeshSource& source) const;
+  /// The points of that mesh, if they are in use and its file is as it was read; else null.
+  std::shared_ptr<const PointSet> find(const std::string& uri, const MeshSource& source) const;
 
   /// Until then, files that could not be read are not read again.
   void forgetFailures() { store_.forgetFailures(); }

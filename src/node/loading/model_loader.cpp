@@ -21,6 +21,10 @@ namespace {
 /// Packages that are installed later are found, too. Searching takes some 10 ms.
 constexpr std::chrono::seconds kPackagesAge(1);
 
+bool isExpired(const std::weak_ptr<const PointSet>& points) {
+  return points.expired();
+}
+
 }  // namespace
 
 ModelLoader::ModelLoader(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
@@ -39,10 +43,11 @@ ModelLoader::Loading::Handlers ModelLoader::loadingHandlers() {
         [](auto& parameters, auto& reader) { visitParameters(parameters, reader); });
   };
   handlers.load = [this](const auto&... all) { return load(all...); };
-  handlers.load_nothing = [](const Parameters& parameters) {
-    return parameters.fixed_frame.empty()
-               ? nullptr
-               : std::make_shared<const Model>(modelWithoutRobot(parameters));
+  handlers.load_nothing = [this](const Parameters& parameters) -> ModelPtr {
+    if (parameters.fixed_frame.empty()) return nullptr;
+    const auto model = std::make_shared<Model>(modelWithoutRobot(parameters));
+    model->object_meshes = unchangedMeshes();
+    return model;
   };
   handlers.adopt = [this](const ModelPtr& model) { adopt(model); };
   handlers.on_failure = ros::requestShutdown;
@@ -55,12 +60,30 @@ ModelLoader::Loading::Loaded ModelLoader::load(const std::string& urdf,
                                                const std::function<bool()>& is_stopping) {
   MeshSource source = meshSource(parameters);
   source.is_cancelled = is_stopping;
-  const auto model =
-      std::make_shared<const Model>(makeModel(urdf, parameters, robot_loader_, source));
+  const auto model = std::make_shared<Model>(makeModel(urdf, parameters, robot_loader_, source));
+  model->object_meshes = unchangedMeshes();
   return {model, "bounding " + std::to_string(model->links.size()) + " links in frame \"" +
                      logText(model->fixed_frame) + "\" with " +
                      std::to_string(model->mesh_bytes.size()) + " meshes" +
                      (model->left_out.empty() ? "" : "; " + logText(model->left_out))};
+}
+
+/// Looks at the files of the meshes of objects. On the loader thread, so that a model and what has
+/// changed are adopted together.
+ObjectSource::Points ModelLoader::unchangedMeshes() {
+  ObjectSource::Points loaded;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    loaded = object_meshes_;
+  }
+  ObjectSource::Points unchanged;
+  const auto source = this->source({});
+  for (const auto& [uri, points] : loaded) {
+    if (isExpired(points)) continue;
+    const auto found = source ? robot_loader_.find(uri, *source) : nullptr;
+    if (found && found == points.lock()) unchanged.emplace(uri, points);
+  }
+  return unchanged;
 }
 
 /// On the update thread.
@@ -93,28 +116,23 @@ std::uint64_t ModelLoader::fileBytes(const std::string& uri) {
   }
 }
 
-void ModelLoader::lookAtMesh(const MeshRequest& request) {
-  const auto look = [this, request](const MeshReaders::IsCancelled& is_cancelled) {
-    const auto source = this->source(is_cancelled);
-    if (source && !robot_loader_.has(request.uri, *source)) answer(request, LoadedMesh());
-  };
-  readers_.post("look at " + request.uri, {[] { return 0; }, look});
-}
-
 void ModelLoader::requestMesh(const MeshRequest& request) {
   const auto load = [this, request](const MeshReaders::IsCancelled& is_cancelled) {
     const auto is_unwanted = [&] { return is_cancelled() || request.use.expired(); };
     const auto source = this->source(is_unwanted);
     if (!source) return;
     const LoadedMesh mesh = robot_loader_.loadMeshes({request.uri}, *source).front();
-    if (!is_unwanted()) answer(request, mesh);
+    if (is_unwanted()) return;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      eraseDead(object_meshes_, max_object_meshes_, isExpired);
+      object_meshes_[request.uri] = mesh.points;
+    }
+    enqueue(update_queue_,
+            [on_mesh = handlers_.on_mesh, request, mesh] { on_mesh(request, mesh); });
   };
   readers_.post("mesh " + request.uri,
                 {[this, uri = request.uri] { return fileBytes(uri); }, load});
-}
-
-void ModelLoader::answer(const MeshRequest& request, const LoadedMesh& mesh) {
-  enqueue(update_queue_, [on_mesh = handlers_.on_mesh, request, mesh] { on_mesh(request, mesh); });
 }
 
 void ModelLoader::requestTree(const TreeRequest& request) {

@@ -33,7 +33,7 @@ class ModelLoader {
 
   struct Handlers {
     std::function<void(ModelPtr)> adopt;  ///< as that of RobotLoading
-    /// On the update thread. Without points and error, the file has changed since it was read.
+    /// On the update thread.
     std::function<void(const MeshRequest& request, const LoadedMesh& mesh)> on_mesh;
     /// On a reader.
     std::function<void(const TreeRequest& request, const LoadedTree& tree)> on_tree;
@@ -47,13 +47,10 @@ class ModelLoader {
   ModelLoader& operator=(const ModelLoader&) = delete;
 
   /// Where nobody waits for the mesh any more, loading it ends without an answer.
-  /// This and the next three return at once and may be called on any thread.
+  /// This and the next two return at once and may be called on any thread.
   /// Before the first model nothing is loaded: to adopt a model is to request all meshes again.
   void requestMesh(const MeshRequest& request);
   void requestTree(const TreeRequest& request);
-  /// Looks at the file before it reads what is requested later. If the file has changed, calls
-  /// on_mesh without a mesh.
-  void lookAtMesh(const MeshRequest& request);
   void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
 
   /// As RobotLoader::loadTrees(), on the thread that calls; nothing before the first model.
@@ -77,15 +74,17 @@ class ModelLoader {
   Loading::Loaded load(const std::string& urdf, const Parameters& parameters,
                        const std::function<bool()>& is_stopping);
   void adopt(const ModelPtr& model);
-  void answer(const MeshRequest& request, const LoadedMesh& mesh);
+  ObjectSource::Points unchangedMeshes();
   std::uint64_t fileBytes(const std::string& uri);
 
   ros::CallbackQueueInterface& update_queue_;
   Handlers handlers_;
   RobotLoader robot_loader_;
   std::mutex mutex_;
-  std::optional<MeshLimits> limits_;                      ///< guarded by mutex_
-  PackagePath packages_;                                  ///< guarded by mutex_
+  std::optional<MeshLimits> limits_;             ///< guarded by mutex_
+  ObjectSource::Points object_meshes_;           ///< guarded by mutex_; those it has loaded
+  std::size_t max_object_meshes_ = kManyMeshes;  ///< guarded by mutex_
+  PackagePath packages_;                         ///< guarded by mutex_
   std::chrono::steady_clock::time_point packages_since_;  ///< guarded by mutex_
   MeshReaders readers_;  ///< this and the next one: after all that their threads use
   Loading loading_;

@@ -12,6 +12,7 @@
 #include <new>
 #include <thread>
 
+#include "robot/mesh/erase_dead.h"
 #include "robot/mesh/gltf_files.h"
 #include "robot/threads/row_threads.h"
 
@@ -46,6 +47,9 @@ bool hasTree(MeshContent content) {
 }
 
 }  // namespace
+
+MeshStore::MeshStore(TimedMeshImporter importer, MeshRemedy remedy)
+    : importer_(std::move(importer)), remedy_(std::move(remedy)), max_entries_(kManyMeshes) {}
 
 bool MeshStore::FileVersion::operator==(const FileVersion& other) const {
   return device == other.device && inode == other.inode && size == other.size &&
@@ -171,6 +175,8 @@ void MeshStore::remember(const MeshFile& file, const Version& version, const Req
     if (!is_outdated && !in_use) entries_[file.path] = {version, {}, mesh.error};
     return;
   }
+  eraseDead(entries_, max_entries_,
+            [](const Entry& entry) { return entry.error.empty() && entry.points.expired(); });
   Entry& entry = entries_[file.path];
   const auto points = entry.version == version ? entry.points.lock() : nullptr;
   if (points) mesh.points = points;

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-#include <vector>
 
 #include "world/bodies/marker_refusal.h"
 #include "world/bodies/marker_shape.h"
@@ -36,11 +35,8 @@ std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
 }  // namespace
 
 ObjectSource::ObjectSource(LiveObjects& objects,
-                           std::function<void(const MeshRequest&)> request_mesh,
-                           std::function<void(const MeshRequest&)> look_at_mesh)
-    : objects_(objects),
-      request_mesh_(std::move(request_mesh)),
-      look_at_mesh_(std::move(look_at_mesh)) {}
+                           std::function<void(const MeshRequest&)> request_mesh)
+    : objects_(objects), request_mesh_(std::move(request_mesh)) {}
 
 bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time now) {
   if (marker.action == Marker::DELETEALL)
@@ -82,7 +78,7 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
 /// Gives the content its mesh. Requests the mesh the first time, and again where loading it may
 /// have been given up because no object used it meanwhile.
 void ObjectSource::useMesh(ObjectContent& content) {
-  if (meshes_.size() >= max_meshes_ && meshes_.count(content.mesh_uri) == 0) forgetMeshes();
+  eraseDead(meshes_, max_meshes_, [](const Mesh& mesh) { return mesh.use.expired(); });
   Mesh& mesh = meshes_[content.mesh_uri];
   const MeshUse use = mesh.use.lock();
   content.mesh_use = use ? use : std::make_shared<const std::string>(content.mesh_uri);
@@ -90,34 +86,23 @@ void ObjectSource::useMesh(ObjectContent& content) {
   content.setMesh({mesh.points.lock(), mesh.error});
   if (mesh.has_changed) content.setMesh(LoadedMesh());
   const bool is_requested = mesh.request != 0;
-  if (is_requested ? !use : content.isLoading()) request_mesh_(request(content.mesh_uri, mesh));
+  if (is_requested ? !use : content.isLoading()) request(content.mesh_uri, mesh);
 }
 
-void ObjectSource::forgetMeshes() {
-  for (auto mesh = meshes_.begin(); mesh != meshes_.end();)
-    mesh = mesh->second.use.expired() ? meshes_.erase(mesh) : std::next(mesh);
-  max_meshes_ = std::max(kMaxMeshes, 2 * meshes_.size());
-}
-
-MeshRequest ObjectSource::request(const std::string& uri, Mesh& mesh) {
+void ObjectSource::request(const std::string& uri, Mesh& mesh) {
   mesh.request = ++requests_;
-  return {uri, mesh.use, mesh.request};
+  request_mesh_({uri, mesh.use, mesh.request});
 }
 
 bool ObjectSource::fillMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now) {
   const std::string& uri = request.uri;
   const auto found = meshes_.find(uri);
-  if (found == meshes_.end() || found->second.request == 0) return false;
+  if (found == meshes_.end() || found->second.request != request.number) return false;
   Mesh& known = found->second;
-  const bool is_there = mesh.points || !mesh.error.empty();
-  const bool is_last = request.number == known.request;
-  // Until somebody has looked at the file anew, an earlier answer is as good as the points before.
-  const bool is_of_use = is_last || (is_there && !known.has_changed && !known.points.expired());
-  if (!is_of_use) return false;
+  known.points = mesh.points;
   known.error = mesh.error;
-  known.has_changed = !is_there;
-  if (is_there) known.points = mesh.points;
-  if (is_there && is_last) known.request = 0;
+  known.request = 0;
+  known.has_changed = false;
   if (!mesh.error.empty()) {
     const LiveObject* const user = objects_.firstWithMesh(uri);
     const std::string whose = user ? user->content->bounded.name + " of " + user->content->publisher
@@ -141,27 +126,27 @@ void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
   if (line) ROS_WARN_STREAM(*line);
 }
 
-void ObjectSource::reloadMeshes() {
+bool ObjectSource::reloadMeshes(const Points& unchanged, ros::Time now) {
   marker_log_.forget();
   neighbours_.forgetLog();
   mesh_log_.forget();
+  std::map<std::string, MeshUse> uses;
+  for (const auto& [key, object] : objects_.objects()) {
+    if (object.content->mesh_use) uses.emplace(object.content->mesh_uri, object.content->mesh_use);
+  }
   std::map<std::string, Mesh> known = std::move(meshes_);
   meshes_.clear();
-  std::vector<MeshRequest> requests;
-  for (const auto& [key, object] : objects_.objects()) {
-    const ObjectContent& content = *object.content;
-    if (!content.mesh_use) continue;
-    const auto [mesh, is_new] = meshes_.try_emplace(content.mesh_uri);
-    if (!is_new) continue;
-    mesh->second.points = known[content.mesh_uri].points;
-    mesh->second.has_changed = known[content.mesh_uri].has_changed;
-    mesh->second.use = content.mesh_use;
-    requests.push_back(request(content.mesh_uri, mesh->second));
+  bool is_changed = false;
+  for (const auto& [uri, use] : uses) {
+    Mesh& mesh = meshes_[uri];
+    mesh.points = known[uri].points;
+    mesh.use = use;
+    const auto found = unchanged.find(uri);
+    mesh.has_changed = found == unchanged.end() || found->second.lock() != mesh.points.lock();
+    if (mesh.has_changed) is_changed |= objects_.fillMesh(uri, LoadedMesh(), now);
+    request(uri, mesh);
   }
-  for (const MeshRequest& request : requests)
-    look_at_mesh_(request);
-  for (const MeshRequest& request : requests)
-    request_mesh_(request);
+  return is_changed;
 }
 
 }  // namespace link_bounds

@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "robot/mesh/erase_dead.h"
 #include "world/bodies/live_objects.h"
 #include "world/bodies/neighbour_sets.h"
 #include "world/log/refusal_log.h"
@@ -38,11 +39,7 @@ struct MeshRequest {
 /// an incomplete name changed.
 class ObjectSource {
  public:
-  /// After `look_at_mesh`, fillMesh() is called without a mesh if the file has changed since it was
-  /// read.
-  ObjectSource(
-      LiveObjects& objects, std::function<void(const MeshRequest&)> request_mesh,
-      std::function<void(const MeshRequest&)> look_at_mesh = [](const MeshRequest&) {});
+  ObjectSource(LiveObjects& objects, std::function<void(const MeshRequest&)> request_mesh);
 
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
@@ -58,17 +55,19 @@ class ObjectSource {
     return neighbours_.removeEnded(now, has_left);
   }
 
-  /// Without points and error, its file has changed and is read again: until it is there, objects
-  /// have the boxes of the old one and are incomplete. An answer to an earlier request than the
-  /// last one of the mesh leaves that one open: the file may have changed since.
+  /// An answer to an earlier request than the last one of the mesh does not count: the file may
+  /// have changed since.
   bool fillMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now);
 
   /// Logs which objects waited for a transform that did not come, or wait again and again.
   void warnOfGivenUp(ros::Time now);
 
-  /// Requests the meshes of all objects again: files may have been repaired or replaced. What was
-  /// logged may be logged again.
-  void reloadMeshes();
+  using Points = std::map<std::string, std::weak_ptr<const PointSet>>;  ///< of meshes, by URI
+
+  /// Requests the meshes of all objects again: files may have been repaired or replaced. Those that
+  /// are not `unchanged` keep the boxes of the old file and are incomplete until the new one is
+  /// there. What was logged may be logged again.
+  bool reloadMeshes(const Points& unchanged, ros::Time now);
 
  private:
   /// A mesh; it has neither points nor an error while it loads the first time.
@@ -84,18 +83,15 @@ class ObjectSource {
                           const std::string& publisher);
   void useMesh(ObjectContent& content);
   void warn(const LiveObject& object, const std::string& reason);
-  void forgetMeshes();
-  MeshRequest request(const std::string& uri, Mesh& mesh);
+  void request(const std::string& uri, Mesh& mesh);
 
   LiveObjects& objects_;
   NeighbourSets neighbours_{objects_};
   std::function<void(const MeshRequest&)> request_mesh_;
-  std::function<void(const MeshRequest&)> look_at_mesh_;
   std::uint64_t requests_ = 0;
   /// A publisher may invent names without end: those that nobody uses are forgotten now and then.
-  static constexpr std::size_t kMaxMeshes = 10000;
   std::map<std::string, Mesh> meshes_;  ///< by URI
-  std::size_t max_meshes_ = kMaxMeshes;
+  std::size_t max_meshes_ = kManyMeshes;
   RefusalLog marker_log_{"the marker", "further markers"};
   RefusalLog mesh_log_{"the mesh", "meshes of further objects"};
 };

@@ -11,14 +11,14 @@ namespace link_bounds {
 
 SceneFeed::SceneFeed(Handlers handlers, std::function<ros::SteadyTime()> steady_now)
     : handlers_(std::move(handlers)),
-      object_source_(scene_.objects, handlers_.request_mesh, handlers_.look_at_mesh),
+      object_source_(scene_.objects, handlers_.request_mesh),
       clock_(std::move(steady_now)) {}
 
 void SceneFeed::adopt(std::shared_ptr<const Model> model, ros::Time now) {
   tf_.distrustStampsAhead(now);
   input_.forgetLog();
-  scene_.adopt(std::move(model), now);
-  object_source_.reloadMeshes();
+  scene_.adopt(model, now);
+  object_source_.reloadMeshes(model->object_meshes, now);
 }
 
 void SceneFeed::onTransforms(const std::vector<TransformView>& transforms, bool is_static,

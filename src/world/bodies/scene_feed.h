@@ -29,8 +29,6 @@ class SceneFeed {
     /// once for each update, tick and jump of the clock.
     std::function<void()> on_news;
     HasLeft has_left = [](const std::string&) { return false; };  ///< of neighbours
-    /// Looks soon whether the file of a mesh has changed; if so, onMesh() is called without a mesh.
-    std::function<void(const MeshRequest& request)> look_at_mesh = [](const MeshRequest&) {};
   };
 
   /// See ClockWatch of `steady_now`.

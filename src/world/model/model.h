@@ -44,7 +44,9 @@ struct Model {
   std::vector<Attachment> attached;      ///< the first that fits an object counts
   std::map<std::string, std::size_t> mesh_bytes;  ///< memory per mesh file in use
   std::map<std::string, std::shared_ptr<const PointSet>> mesh_uris;  ///< points of meshes in use
-  std::string left_out;                                              ///< see leftOutNote()
+  /// Of meshes of objects, by URI: points whose file was as it was read, when the model was made.
+  std::map<std::string, std::weak_ptr<const PointSet>> object_meshes;
+  std::string left_out;               ///< see leftOutNote()
   std::vector<std::string> problems;  ///< one per element that is not bounded
   std::vector<std::string> warnings;  ///< e.g. names in parameters that fit no link
 };

@@ -109,7 +109,7 @@ class Driver:
         if answer.success != bool(model):
             raise AssertionError("~reload answers %s" % answer)
         if model:
-            self._oracle.on_reload(model)
+            self._oracle.on_reload(model, files)
             self._arrive()
             self._reread_meshes()
         self._fence_objects("/objects")

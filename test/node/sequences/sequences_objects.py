@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The oracle of objects: what doc/scene.md says of markers. Times in ns."""
 import math
+import os
 
 from sequences_shapes import marker_shapes
 from sequences_state import Entry, bounds_of
@@ -55,6 +56,7 @@ class Object:
         self.is_given_up = False
         self.points = None  # of the mesh file, when it has been read
         self.is_loading = marker.type == Marker.MESH_RESOURCE and not self.is_refused
+        self.is_read_again = False  # its mesh file was replaced; the points are those of the old one
 
     def mesh(self):
         return self.marker.mesh_resource if self.marker.type == Marker.MESH_RESOURCE else ""
@@ -144,7 +146,7 @@ class Objects:
     def on_mesh(self, uri, points):
         for thing in self._objects.values():
             if thing.mesh() == uri and not thing.is_refused:
-                thing.points, thing.is_loading = points, False
+                thing.points, thing.is_loading, thing.is_read_again = points, False, False
                 thing.before = None if points is None else thing.before
         self.settle()
 
@@ -192,7 +194,9 @@ class Objects:
                 thing.before.stamp = min(thing.before.stamp, now)
         self.settle()
 
-    def on_reload(self, old_model):
+    def on_reload(self, old_model, files):
+        """Objects of `files`, which were replaced, keep their boxes and are incomplete until the new
+        ones are read."""
         fixed_frame = self._oracle.model.fixed_frame
         if fixed_frame != old_model.fixed_frame:
             self._carries = {o.placed[0]: None for o in self._objects.values() if o.placed}
@@ -201,6 +205,8 @@ class Objects:
                 thing.before, thing.is_given_up = None, False
         for thing in self._objects.values():
             thing.waits_since = self._oracle.now
+            thing.is_read_again = (os.path.basename(thing.mesh()) in files and
+                                   thing.points is not None)
         self.settle()
 
     def _pose(self, thing):
@@ -228,4 +234,5 @@ class Objects:
         bounds = bounds_of(marker_shapes(thing.marker, thing.points), pose)
         if bounds is None:
             return Entry(name)
-        return Entry(name, not waits, bounds, pose, thing.shown_stamp or pose.stamp)
+        is_complete = not (waits or thing.is_read_again)
+        return Entry(name, is_complete, bounds, pose, thing.shown_stamp or pose.stamp)

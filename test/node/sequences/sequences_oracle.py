@@ -32,10 +32,11 @@ class Oracle:
         self.tf.clear()
         self.objects.on_jump_back(past)
 
-    def on_reload(self, model):
+    def on_reload(self, model, files):
+        """After `files` were replaced."""
         old, self.model = self.model, model
         self.tf.distrust_stamps_ahead(self.now)
-        self.objects.on_reload(old)
+        self.objects.on_reload(old, files)
 
     def is_stale(self, frame):
         heard = self.tf.oldest_receipt(self.model.fixed_frame, frame)

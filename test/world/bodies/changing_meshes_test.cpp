@@ -23,21 +23,35 @@ constexpr int kFiles = 3;
 constexpr int kMarkers = 5;
 constexpr int kSteps = 300000;
 
-/// A file, and the jobs of the loader that it has. A newer job replaces an older one.
+using Points = std::shared_ptr<const PointSet>;
+
+/// A file, what the loader knows of it, and its job. A newer job replaces an older one.
 struct ChangingFile {
-  int version = 1;           ///< the size of its mesh [m]; every fifth is broken
-  int read = 0;              ///< the version that the loader remembers
-  int since_reload = 0;      ///< that at the last ~reload
-  bool is_looked_at = true;  ///< since then, and the answer is there
-  std::optional<MeshRequest> look, load;
+  int version = 1;                       ///< the size of its mesh [m]; every fifth is broken
+  int read = 0;                          ///< the version of `cached`
+  std::weak_ptr<const PointSet> cached;  ///< in use by a link or an object
+  std::weak_ptr<const PointSet> given;   ///< to objects, last
+  int loaded = 0;                        ///< the version that objects were told last
+  int since_reload = 0;                  ///< the version when somebody last looked for a ~reload
+  std::optional<MeshRequest> load;
+  Points of_link;
 
   bool isBroken() const { return version % 5 == 0; }
+
+  Points points() {
+    Points known = read == version ? cached.lock() : nullptr;
+    if (known || isBroken()) return known;
+    const auto size = static_cast<float>(version);
+    known = std::make_shared<const PointSet>(
+        std::vector<Eigen::Vector3f>{{0, 0, 0}, {size, 0, 0}, {0, size, size}});
+    read = version;
+    cached = known;
+    return known;
+  }
 };
 
 /// On its way to the update thread.
 struct Answer {
-  int file;
-  bool is_sent;  ///< a look at a file that has not changed has none
   MeshRequest request;
   LoadedMesh mesh;
 };
@@ -49,6 +63,7 @@ class ChangingMeshesTest : public testing::Test {
     objects_.adopt(now_);
   }
 
+  ChangingFile& fileAt(int index) { return files_[static_cast<std::size_t>(index)]; }
   static int fileOf(const std::string& uri) { return uri.back() - '0'; }
   int pick(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
 
@@ -69,39 +84,36 @@ class ChangingMeshesTest : public testing::Test {
     source_.take(std::move(marker), "/camera", now_);
   }
 
-  void reload() {
-    for (ChangingFile& file : files_) {
-      file.since_reload = file.version;
-      file.is_looked_at = false;
+  /// What ~reload does before the update thread adopts it.
+  void look() {
+    unchanged_.emplace();
+    looked_at_.clear();
+    for (int i = 0; i < kFiles; ++i) {
+      ChangingFile& file = fileAt(i);
+      looked_at_.push_back(file.version);
+      const Points given = file.given.lock();
+      if (given && given == file.cached.lock() && file.read == file.version)
+        unchanged_->emplace("file:///" + std::to_string(i), given);
     }
-    source_.reloadMeshes();
   }
 
-  void look(int index) {
-    ChangingFile& file = files_[static_cast<std::size_t>(index)];
-    if (!file.look) return;
-    const MeshRequest request = *std::exchange(file.look, {});
-    const bool has = file.read == file.version && !file.isBroken();
-    if (has) endLate();  // what the loader has, it answers at once
-    answers_.push_back({index, !has, request, LoadedMesh()});
+  void adopt() {
+    if (!unchanged_) return;
+    for (int i = 0; i < kFiles; ++i)
+      fileAt(i).since_reload = looked_at_[static_cast<std::size_t>(i)];
+    source_.reloadMeshes(*std::exchange(unchanged_, {}), now_);
   }
 
   void load(int index) {
-    ChangingFile& file = files_[static_cast<std::size_t>(index)];
+    ChangingFile& file = fileAt(index);
     if (!file.load) return;
     endLate();  // one after the other
     const MeshRequest request = *std::exchange(file.load, {});
     if (request.use.expired()) return;
-    file.read = file.version;
-    LoadedMesh mesh;
-    if (file.isBroken()) {
-      mesh.error = "broken";
-    } else {
-      const auto size = static_cast<float>(file.version);
-      mesh.points = std::make_shared<const PointSet>(
-          std::vector<Eigen::Vector3f>{{0, 0, 0}, {size, 0, 0}, {0, size, size}});
-    }
-    (pick(4) == 0 ? late_ : answers_).push_back({index, true, request, mesh});
+    const Points points = file.points();
+    file.given = points;
+    file.loaded = file.version;
+    (pick(4) == 0 ? late_ : answers_).push_back({request, {points, points ? "" : "broken"}});
   }
 
   /// A reader is held up between its work and its answer.
@@ -114,16 +126,12 @@ class ChangingMeshesTest : public testing::Test {
     if (answers_.empty()) return;
     const Answer answer = std::move(answers_.front());
     answers_.pop_front();
-    if (answer.is_sent) source_.fillMesh(answer.request, answer.mesh, now_);
-    ChangingFile& file = files_[static_cast<std::size_t>(answer.file)];
-    if (answer.request.number == newest_[answer.file]) file.is_looked_at = true;
+    source_.fillMesh(answer.request, answer.mesh, now_);
   }
 
   void deliverAll() {
-    for (int i = 0; i < kFiles; ++i) {
-      look(i);
+    for (int i = 0; i < kFiles; ++i)
       load(i);
-    }
     endLate();
     while (!answers_.empty())
       deliver();
@@ -136,20 +144,23 @@ class ChangingMeshesTest : public testing::Test {
       past_.push_back(object.content);
   }
 
+  /// The link may have no mesh, or the points of an older file.
+  void loadLink(ChangingFile& file) { file.of_link = pick(2) == 0 ? nullptr : file.points(); }
+
   void doAny() {
-    switch (pick(13)) {
+    switch (pick(14)) {
       case 0:
       case 1:
         return sendMarker(pick(kMarkers), pick(kFiles));
       case 2:
         return deleteMarker(pick(kMarkers));
       case 3:
-        return static_cast<void>(++files_[static_cast<std::size_t>(pick(kFiles))].version);
+        return static_cast<void>(++fileAt(pick(kFiles)).version);
       case 4:
-        return reload();
+        return look();
       case 5:
       case 6:
-        return look(pick(kFiles));
+        return adopt();
       case 7:
       case 8:
         return load(pick(kFiles));
@@ -157,6 +168,8 @@ class ChangingMeshesTest : public testing::Test {
         return remember();
       case 10:
         return endLate();
+      case 11:
+        return loadLink(fileAt(pick(kFiles)));
       default:
         return deliver();
     }
@@ -169,11 +182,10 @@ class ChangingMeshesTest : public testing::Test {
 
   void expectNoneTooOld() {
     for (const auto& [key, object] : objects_.objects()) {
-      const ChangingFile& file = files_[static_cast<std::size_t>(fileOf(object.content->mesh_uri))];
+      const ChangingFile& file = fileAt(fileOf(object.content->mesh_uri));
       if (object.state.incomplete) continue;
       ++complete_;
       ASSERT_TRUE(object.state.box);
-      if (!file.is_looked_at) continue;
       ASSERT_GE(versionOf(object), file.since_reload);
     }
   }
@@ -181,18 +193,18 @@ class ChangingMeshesTest : public testing::Test {
   /// Where all is read, nothing waits.
   void expectAllRead() {
     for (const auto& [key, object] : objects_.objects()) {
-      const ChangingFile& file = files_[static_cast<std::size_t>(fileOf(object.content->mesh_uri))];
+      const ChangingFile& file = fileAt(fileOf(object.content->mesh_uri));
       ASSERT_FALSE(object.content->isLoading());
       ASSERT_FALSE(object.content->is_read_again);
-      ASSERT_EQ(object.state.incomplete, file.read % 5 == 0);
+      ASSERT_EQ(object.state.incomplete, file.loaded % 5 == 0);
       if (object.state.incomplete) continue;
-      ASSERT_EQ(versionOf(object), file.read);
+      ASSERT_EQ(versionOf(object), file.loaded);
     }
   }
 
   void expectCurrent() {
     for (const auto& [key, object] : objects_.objects()) {
-      const ChangingFile& file = files_[static_cast<std::size_t>(fileOf(object.content->mesh_uri))];
+      const ChangingFile& file = fileAt(fileOf(object.content->mesh_uri));
       ASSERT_EQ(object.state.incomplete, file.isBroken());
       if (object.state.incomplete) continue;
       ASSERT_EQ(versionOf(object), file.version);
@@ -202,22 +214,16 @@ class ChangingMeshesTest : public testing::Test {
   ros::Time now_{100};
   std::mt19937 random_{1};
   std::vector<ChangingFile> files_ = std::vector<ChangingFile>(kFiles);
-  std::map<int, std::uint64_t> newest_;  ///< number of a request, by file
+  std::optional<ObjectSource::Points> unchanged_;  ///< for the ~reload that is not yet adopted
+  std::vector<int> looked_at_;                     ///< versions, at that time
   std::deque<Answer> answers_, late_;
   std::vector<std::shared_ptr<const ObjectContent>> past_;
   int complete_ = 0;
   TransformBuffer tf_;
   FrameTracker frames_{tf_};
   LiveObjects objects_{frames_};
-  ObjectSource source_{objects_,
-                       [this](const MeshRequest& request) {
-                         newest_[fileOf(request.uri)] = request.number;
-                         files_[static_cast<std::size_t>(fileOf(request.uri))].load = request;
-                       },
-                       [this](const MeshRequest& request) {
-                         newest_[fileOf(request.uri)] = request.number;
-                         files_[static_cast<std::size_t>(fileOf(request.uri))].look = request;
-                       }};
+  ObjectSource source_{
+      objects_, [this](const MeshRequest& request) { fileAt(fileOf(request.uri)).load = request; }};
 };
 
 TEST_F(ChangingMeshesTest, BoxesAreOfFilesThatWereThereAtTheLastReload) {
@@ -228,7 +234,10 @@ TEST_F(ChangingMeshesTest, BoxesAreOfFilesThatWereThereAtTheLastReload) {
     expectNoneTooOld();
     if (pick(50) != 0) continue;
     const bool is_reloaded = pick(2) == 0;
-    if (is_reloaded) reload();
+    if (is_reloaded) {
+      look();
+      adopt();
+    }
     deliverAll();
     expectAllRead();
     if (is_reloaded) expectCurrent();

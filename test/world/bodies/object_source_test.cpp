@@ -89,16 +89,10 @@ class ObjectSourceTest : public testing::Test {
   FrameTracker frames_{tf_};
   LiveObjects objects_{frames_};
   int requests_ = 0;
-  int looks_ = 0;
   MeshRequest last_;
-  ObjectSource source_{objects_,
-                       [this](const MeshRequest& request) {
+  ObjectSource source_{objects_, [this](const MeshRequest& request) {
                          ++requests_;
                          last_ = request;
-                       },
-                       [this](const MeshRequest&) {
-                         EXPECT_EQ(requests_, 0) << "all are looked at before one is read";
-                         ++looks_;
                        }};
 };
 
@@ -119,15 +113,12 @@ TEST_F(ObjectSourceTest, AMeshThatIsReadAgainHasItsOldBoxAndIsIncomplete) {
   const auto points = cornersOf(1);
   source_.fillMesh(last_, {points, ""}, now_);
   EXPECT_FALSE(stateOf(1).incomplete);
-  EXPECT_FALSE(source_.fillMesh(last_, LoadedMesh(), now_)) << "somebody looked too late";
-  EXPECT_FALSE(stateOf(1).incomplete);
+  requests_ = 0;
+  EXPECT_FALSE(source_.reloadMeshes({{uri, points}}, now_));
+  EXPECT_EQ(requests_, 1);
+  EXPECT_FALSE(stateOf(1).incomplete) << "the file has not changed";
   for (const auto& read : {points, cornersOf(2)}) {
-    looks_ = requests_ = 0;
-    source_.reloadMeshes();
-    EXPECT_EQ(looks_, 1);
-    EXPECT_EQ(requests_, 1);
-    EXPECT_FALSE(stateOf(1).incomplete) << "nobody has looked at the file yet";
-    EXPECT_TRUE(source_.fillMesh(last_, LoadedMesh(), now_));
+    EXPECT_TRUE(source_.reloadMeshes({{uri, cornersOf(3)}}, now_));
     take(markerAt(1, 5));
     take(markerAt(2, 7));
     for (const int id : {1, 2}) {

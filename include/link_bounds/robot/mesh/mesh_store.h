@@ -47,11 +47,11 @@ enum class MeshContent { kPoints, kPointsAndTriangles, kPointsAndTree, kAll };
 
 /// A cache by real path, so that all links with the same mesh share its points, at any scale. It
 /// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
-/// are remembered until forgetFailures(), which is also where dead entries are erased; those of
-/// loads that began before are not. load() reads a file again if it, or one that a `.gltf` names,
-/// was replaced since, and refuses one that changes while it is read. Triangles and trees are not
-/// cached; if reading them fails, points in use stay in use. Any number of threads may use a store;
-/// what it returns is immutable.
+/// are remembered until forgetFailures(); those of loads that began before are not. Dead entries
+/// are erased there, and where there are very many. load() reads a file again if it, or one that a
+/// `.gltf` names, was replaced since, and refuses one that changes while it is read. Triangles and
+/// trees are not cached; if reading them fails, points in use stay in use. Any number of threads
+/// may use a store; what it returns is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
@@ -59,8 +59,7 @@ class MeshStore {
             [importer = std::move(importer)](const MeshFile& file, const MeshLimits&,
                                              const CheckInterrupt&) { return importer(file); },
             std::move(remedy)) {}
-  explicit MeshStore(TimedMeshImporter importer, MeshRemedy remedy = plainRemedy)
-      : importer_(std::move(importer)), remedy_(std::move(remedy)) {}
+  explicit MeshStore(TimedMeshImporter importer, MeshRemedy remedy = plainRemedy);
 
   /// One result per file, in order. Files are read in parallel, one thread per core, and each
   /// becomes a tree before its thread reads the next. Reading a file and preparing what `content`
@@ -72,8 +71,8 @@ class MeshStore {
                                const MeshLimits& limits = {},
                                const std::function<bool()>& is_cancelled = nullptr);
 
-  /// Whether its points are in use, and the file is as it was read.
-  bool has(const MeshFile& file) const { return cached(file).points != nullptr; }
+  /// Its points, if they are in use and the file is as it was read; else null.
+  std::shared_ptr<const PointSet> find(const MeshFile& file) const { return cached(file).points; }
 
   /// The next load() reads these files again.
   void forgetFailures();
@@ -120,6 +119,7 @@ class MeshStore {
   MeshRemedy remedy_;
   mutable std::mutex mutex_;
   std::map<std::string, Entry> entries_;  ///< guarded by mutex_
+  std::size_t max_entries_;               ///< guarded by mutex_; before dead ones are erased
   std::uint64_t generation_ = 0;          ///< guarded by mutex_; changes with forgetFailures()
 };
 
