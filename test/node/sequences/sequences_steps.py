@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Random steps for Driver.do() as plain data, the same for the same seed. Times in ns."""
 import math
+import os
 import random
 from functools import partial
 
@@ -45,6 +46,7 @@ class Steps:
         self._turns = {child: [random_turn(self._rng) for _ in range(3)] for child in PARENTS}
         self._stamps = {child: START for child in PARENTS}  # last ones sent
         self._last_markers = []
+        self._last_mesh = None  # the file that a marker has named just now
         self.links = random_robot(self._rng)
         self.parameters = {}
         self.files = {name: random_points(self._rng, name) for name in MESHES[:-1]}
@@ -58,6 +60,8 @@ class Steps:
     def next(self):
         if self._now > 2 ** 31 * SECOND:
             return self._clock_back()
+        if self._last_mesh and self._rng.random() < 0.3:
+            return self._reload_with([self._last_mesh])
         kinds = {"usual_tf": 26, "odd_tf": 26, "static_tf": 6, "unusable_pose": 6, "objects": 24,
                  "clock_forward": 11, "clock_back": 1.2, "reload": 4}
         kind = self._rng.choices(list(kinds), list(kinds.values()))[0]
@@ -134,6 +138,8 @@ class Steps:
         meshes = [m for m in markers if m.type == Marker.MESH_RESOURCE]
         if meshes:
             markers = meshes[:1]
+        names = [os.path.basename(m.mesh_resource) for m in meshes[:1]]
+        self._last_mesh = next((name for name in names if name in self.files), None)
         self._last_markers = markers
         return "objects", markers, rng.choice(["/objects", "/objects", "/object"])
 
@@ -229,14 +235,16 @@ class Steps:
             self.parameters = random_parameters(rng)
         if rng.random() < 0.2:
             self.links = random_robot(rng)
-        files = {}
-        if rng.random() < 0.4:
-            name = rng.choice(MESHES)
-            files[name] = self._other_points(name)
+        return self._reload_with([rng.choice(MESHES)] if rng.random() < 0.4 else [])
+
+    def _reload_with(self, names):
+        """After files were replaced."""
+        files = {name: self._other_points(name) for name in names}
         self.files.update(files)
+        self._last_mesh = None
         return ("reload", partial(Model, self.links, self.parameters),
                 (description(self.links, self._folder), self.parameters), files,
-                rng.random() < 0.5)
+                self._rng.random() < 0.5)
 
     def _other_points(self, name):
         """Sometimes as many points as before, so that the file keeps its size."""
