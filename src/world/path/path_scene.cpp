@@ -163,7 +163,7 @@ class SceneMaker {
     std::size_t link;
     bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
     bool is_known = true;       ///< false: it may be any link
-    bool is_beside = false;     ///< no link is above the object's frame, so the root counts
+    bool is_beside = false;     ///< the object has its own place in the fixed frame
   };
 
   /// On the link that carries it. Fills `problem` if its place is not known.
@@ -208,7 +208,7 @@ class SceneMaker {
   }
 
   /// The same where both have their own places in the fixed frame, each at its newest time: a base
-  /// may have driven on since the object's frame was sent.
+  /// may have driven on since its camera saw the object.
   Eigen::Affine3d poseBeside(Frame link, Frame frame) {
     const Eigen::Affine3d fixed_from_link = tracker_.keep(link).fixed_from_frame.affine;
     return fixed_from_link.inverse(Eigen::Isometry) * tracker_.keep(frame).fixed_from_frame.affine;
@@ -247,8 +247,8 @@ class SceneMaker {
     return !body.header && body.frame_from_body && !body.held && isMoved(link);
   }
 
-  /// The link of the robot to which the object is attached, or below whose frame its own one is. An
-  /// object that was placed once rests in the fixed frame.
+  /// The link of the robot to which the object is attached, or below whose frame its own one is.
+  /// What was placed once, or follows a frame below a link that rests, rests in the fixed frame.
   Carrier carrierOf(const PastBody& body) {
     const std::optional<std::size_t> above = linkAbove(body);
     if (body.held) return {body.held->link};
@@ -256,7 +256,8 @@ class SceneMaker {
     const auto& of_links = rigid_in_urdf_.of_links;
     if (attached && above && of_links[*above] == *attached) return {*above, body.is_carried_over};
     const bool is_known = above ? !mayStayBehind(body, *above) : isKnownToRest(body);
-    const Carrier own{above.value_or(original_.root), false, is_known, !above};
+    const bool is_beside = !above || !(isMoved(*above) || isFixedFrameMoved());
+    const Carrier own{above.value_or(original_.root), false, is_known, is_beside};
     if (!attached) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
     if (link == of_links.end()) return own;

@@ -90,11 +90,16 @@ class PathPlaces {
     values_ = {number(), number()};
     robot_.send(now_, values_, map_from_base_);
     sent_ = now_;
+    if (pick(4) != 0) return;
+    const Eigen::Isometry3d base_from_seen = anyPose();
+    robot_.add("base", "seen", now_, base_from_seen);
+    map_from_seen_ = map_from_base_ * base_from_seen;
   }
 
   /// By what was sent last; nothing if that was never.
   std::optional<Eigen::Isometry3d> mapFrom(const std::string& frame) const {
     if (frame == "map") return Eigen::Isometry3d::Identity();
+    if (frame == "seen") return map_from_seen_;
     const auto seldom = seldom_.find(frame);
     if (seldom != seldom_.end()) {
       const auto parent = mapFrom(seldom->second.parent);
@@ -109,10 +114,10 @@ class PathPlaces {
 
   /// A marker that follows its frame or was placed once, or a neighbour's box.
   void put(int number) {
-    static const std::vector<std::string> kFrames{"map",   "base",   "arm",   "tool",
-                                                  "table", "camera", "person"};
+    static const std::vector<std::string> kFrames{"map",   "base",   "arm",    "tool",
+                                                  "table", "camera", "person", "seen"};
     Placed& placed = objects_[number];
-    placed.frame = kFrames[static_cast<std::size_t>(pick(7))];
+    placed.frame = kFrames[static_cast<std::size_t>(pick(8))];
     placed.map_from_frame.reset();
     const bool is_robots = placed.frame == "base" || placed.frame == "arm" ||
                            placed.frame == "tool" || placed.frame == "map";
@@ -163,6 +168,7 @@ class PathPlaces {
   double now_ = MovingRobot::kStamp;
   double sent_ = now_;  ///< the robot, last
   Eigen::Isometry3d map_from_base_;
+  std::optional<Eigen::Isometry3d> map_from_seen_;  ///< what a camera of the base saw stays there
   MovingRobot::Values values_;
   std::map<std::string, SeldomFrame> seldom_{
       {"table", {"map", {}}}, {"person", {"map", {}}}, {"camera", {"tool", {}}}};

@@ -270,6 +270,24 @@ TEST(PathScene, WhatTfTellsSeldomIsWhereItWasInTheFixedFrame) {
   EXPECT_LT((placeOf(path, "held/1") - Eigen::Vector3d(0.5, 0, 0)).norm(), kTolerance);
 }
 
+/// The base has driven on since its camera saw something. What is attached to the base rides on it.
+TEST(PathScene, WhatACameraOfTheBaseSawIsWhereItWasInTheFixedFrame) {
+  for (const bool is_attached : {false, true}) {
+    Parameters parameters = inFrame("map");
+    if (is_attached) parameters.attached = {{"base", {"held/*"}}};
+    Arm arm(parameters);
+    arm.send(kStamp, {0, 0}, at(0));
+    arm.add("base", "seen", kStamp, at(2));
+    arm.put("held", boxIn("seen"));
+    for (int i = 0; i <= 50; ++i)
+      arm.send(kStamp + 0.01 * i, {0, 0}, at(0.03 * i));
+    const PathScene path = arm.path(kStamp + 0.5);
+    EXPECT_EQ(path.incomplete, Names{});
+    const Eigen::Vector3d expected(is_attached ? 2 : 0.5, 0, 0);
+    EXPECT_LT((placeOf(path, "held/1") - expected).norm(), kTolerance) << is_attached;
+  }
+}
+
 // A camera of few frames per second, which does not move as seen from the arm or from its wrist.
 TEST(PathScene, WhatFollowsASlowFrameIsOnItsLinkAtOneTime) {
   for (const char* parent : {"arm", "wrist"}) {
