@@ -163,7 +163,7 @@ class SceneMaker {
     std::size_t link;
     bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
     bool is_known = true;       ///< false: it may be any link
-    bool is_beside = false;     ///< the object has its own place in the fixed frame
+    bool is_beside = false;     ///< its own place in the fixed frame counts, as seen from the root
   };
 
   /// On the link that carries it. Fills `problem` if its place is not known.
@@ -248,7 +248,7 @@ class SceneMaker {
   }
 
   /// The link of the robot to which the object is attached, or below whose frame its own one is.
-  /// What was placed once, or follows a frame below a link that rests, rests in the fixed frame.
+  /// What was placed once, or follows a frame below a link that rests, is beside the robot.
   Carrier carrierOf(const PastBody& body) {
     const std::optional<std::size_t> above = linkAbove(body);
     if (body.held) return {body.held->link};
@@ -257,7 +257,7 @@ class SceneMaker {
     if (attached && above && of_links[*above] == *attached) return {*above, body.is_carried_over};
     const bool is_known = above ? !mayStayBehind(body, *above) : isKnownToRest(body);
     const bool is_beside = !above || !(isMoved(*above) || isFixedFrameMoved());
-    const Carrier own{above.value_or(original_.root), false, is_known, is_beside};
+    const Carrier own{is_beside ? original_.root : *above, false, is_known, is_beside};
     if (!attached) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
     if (link == of_links.end()) return own;

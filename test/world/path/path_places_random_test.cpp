@@ -17,7 +17,8 @@ constexpr int kSequences = 100;
 constexpr int kSteps = 100;
 constexpr int kObjects = 6;
 
-/// An arm turns on a base, and a tool on the arm. Nothing touches, so pairs are of no interest.
+/// An arm turns on a base, and a tool on the arm; beside them a camera. Nothing touches, so pairs
+/// are of no interest.
 constexpr char kDrivingArm[] = R"(<robot name="arm">
   <link name="base"><visual><geometry><box size="0.2 0.2 0.2"/></geometry></visual></link>
   <link name="arm"><visual><geometry><box size="0.7 0.1 0.1"/></geometry></visual></link>
@@ -27,6 +28,9 @@ constexpr char kDrivingArm[] = R"(<robot name="arm">
   <joint name="roll" type="revolute"><parent link="arm"/><child link="tool"/>
     <origin xyz="1 0 0"/><axis xyz="1 0 0"/>
     <limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+  <link name="pan"/>
+  <joint name="look" type="continuous"><parent link="base"/><child link="pan"/>
+    <axis xyz="0 0 1"/></joint>
 </robot>)";
 
 /// Of a frame beside the links: its parent, and where it was in that when it was sent last.
@@ -87,13 +91,24 @@ class PathPlaces {
 
   void send() {
     map_from_base_ = anyPose();
-    values_ = {number(), number()};
-    robot_.send(now_, values_, map_from_base_);
+    for (const char* const joint : {"turn", "roll"})
+      values_[robot_.joint(joint)] = number();
     sent_ = now_;
-    if (pick(4) != 0) return;
-    const Eigen::Isometry3d base_from_seen = anyPose();
-    robot_.add("base", "seen", now_, base_from_seen);
-    map_from_seen_ = map_from_base_ * base_from_seen;
+    if (map_from_seen_ && pick(4) != 0) return sendWithoutCamera();
+    values_[robot_.joint("look")] = number();
+    robot_.send(now_, values_, map_from_base_);
+    const Eigen::Isometry3d pan_from_seen = anyPose();
+    robot_.add("pan", "seen", now_, pan_from_seen);
+    map_from_seen_ = *mapFrom("pan") * pan_from_seen;
+  }
+
+  void sendWithoutCamera() {
+    robot_.add("map", "base", now_, map_from_base_);
+    for (const char* const joint : {"turn", "roll"}) {
+      const Joint& moved = robot_.robot().joints[robot_.joint(joint)];
+      robot_.add(robot_.robot().links[moved.parent].name, robot_.robot().links[moved.child].name,
+                 now_, moved.parent_from_joint * jointMotion(moved, values_[robot_.joint(joint)]));
+    }
   }
 
   /// By what was sent last; nothing if that was never.
@@ -168,8 +183,8 @@ class PathPlaces {
   double now_ = MovingRobot::kStamp;
   double sent_ = now_;  ///< the robot, last
   Eigen::Isometry3d map_from_base_;
-  std::optional<Eigen::Isometry3d> map_from_seen_;  ///< what a camera of the base saw stays there
-  MovingRobot::Values values_;
+  std::optional<Eigen::Isometry3d> map_from_seen_;  ///< what the camera saw stays there
+  MovingRobot::Values values_ = {0, 0, 0};
   std::map<std::string, SeldomFrame> seldom_{
       {"table", {"map", {}}}, {"person", {"map", {}}}, {"camera", {"tool", {}}}};
   std::map<int, Placed> objects_;
