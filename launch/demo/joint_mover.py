@@ -21,7 +21,7 @@ from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import (  # noqa: E402
-    check_arguments, number_parameter, robot_description, run, run_regularly)
+    check_arguments, number_parameter, printable, robot_description, run, run_regularly)
 
 GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never coincide again
 SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
@@ -85,9 +85,13 @@ class Motion:
 def main():
     check_arguments(__doc__)
     rospy.init_node('joint_mover')
-    joints = movable_joints(robot_description('to move'))
     amplitude = min(1.0, max(0.0, number_parameter('amplitude', 0.8)))
-    swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
+    try:
+        joints = movable_joints(robot_description('to move'))
+        swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
+    except (TypeError, ValueError, ElementTree.ParseError) as error:
+        rospy.logfatal(printable(f'robot_description cannot be used: {error}'))
+        sys.exit(1)
     publisher = rospy.Publisher('joint_states', JointState, queue_size=10)
     motion = Motion(number_parameter('ahead', 0))
     message = JointState(name=[swing.joint for swing in swings])

@@ -132,8 +132,11 @@ class Watch:
             patience = APART if self._boxes.is_behind(self._overlaps) else LOST
             if is_quiet or self._apart > patience:
                 self._begin_anew()
-            outside = set() if self._boxes.contradicts(self._overlaps) else {
-                pair for pair in self._outside if not self._incomplete.intersection(pair)}
+            if self._boxes.contradicts(self._overlaps):  # one of them will come
+                self._settled &= set(self._outside)
+                return
+            outside = {pair for pair in self._outside
+                       if not self._incomplete.intersection(pair)}
             for name, zone in sorted(outside & self._settled):
                 if self._outside.pop((name, zone)):
                     self._tell('%s left zone %s' % (kind(name), zone))
@@ -205,6 +208,7 @@ def main():
     zones = rospy.get_param('~zones', 'zones')
     if not isinstance(zones, str):
         refuse('zones', zones, 'a namespace, as text')
+    rospy.loginfo(printable(f'watching the zones {zones}/...'))
     watch = Watch(zones, lambda text: tell(text, publisher.publish))
     topics = [rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, watch.take_boxes,
                                tcp_nodelay=True),

@@ -62,10 +62,10 @@ class MovingRobot {
   }
 
   void add(const std::string& parent, const std::string& child, double stamp,
-           const Eigen::Isometry3d& pose) {
+           const Eigen::Isometry3d& pose, bool is_static = false) {
     const auto transform =
         edge(parent, child, stamp, Eigen::Quaterniond(pose.linear()), pose.translation());
-    tf_.add({transform}, false, ros::Time(kStamp));
+    tf_.add({transform}, is_static, ros::Time(kStamp));
   }
 
   /// All joints at constant speeds until kStamp; at the end they have `values`.

@@ -11,6 +11,8 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <set>
+#include <string_view>
 
 #include "robot/mesh/percent_decoded.h"
 
@@ -18,19 +20,29 @@ namespace link_bounds {
 namespace {
 
 constexpr std::size_t kMaxName = 4096;  // bytes
+constexpr std::string_view kScheme = "file://";
 
 /// Of a larger text, as with data in it, only the begin is looked at, and of many URIs the first
 /// ones.
 constexpr std::size_t kMaxText = 16 << 20;  // bytes
-constexpr std::size_t kMaxUris = 1000;
+constexpr std::size_t kMaxUris = 10000;
 
-/// The characters of a regular file; none of another one, which might never end.
+bool isGltf(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".gltf";
+}
+
+/// The JSON of a glTF file, whatever its name; no characters of another file, which might never
+/// end.
 class Text {
  public:
   explicit Text(const std::string& path)
       : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
     struct stat status {};
-    is_over_ = file_ < 0 || fstat(file_, &status) != 0 || !S_ISREG(status.st_mode);
+    const bool is_file = file_ >= 0 && fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
+    is_over_ = !is_file || !(findJson() || isGltf(path));
   }
   ~Text() {
     if (file_ >= 0) close(file_);
@@ -42,7 +54,7 @@ class Text {
   bool next(char& c) {
     if (at_ == count_ && !is_over_) {
       const ssize_t count = read(file_, block_.data(), block_.size());
-      is_over_ = count <= 0 || read_ > kMaxText;
+      is_over_ = count <= 0 || read_ > size_;
       count_ = is_over_ ? 0 : static_cast<std::size_t>(count);
       read_ += count_;
       at_ = 0;
@@ -69,6 +81,25 @@ class Text {
   }
 
  private:
+  /// Goes to where it begins. False if the file does not look like glTF.
+  bool findJson() {
+    std::array<unsigned char, 20> begin{};  // of a binary file: its header, and that of its JSON
+    const ssize_t count = pread(file_, begin.data(), begin.size(), 0);
+    if (count == static_cast<ssize_t>(begin.size()) &&
+        std::equal(begin.begin(), begin.begin() + 4, "glTF")) {
+      size_ = std::min<std::size_t>(
+          begin[12] | begin[13] << 8 | begin[14] << 16 | std::size_t{begin[15]} << 24, kMaxText);
+      return lseek(file_, static_cast<off_t>(begin.size()), SEEK_SET) >= 0;
+    }
+    const auto* const end = begin.data() + std::max<ssize_t>(count, 0);
+    constexpr std::array<unsigned char, 3> kMark{0xEF, 0xBB, 0xBF};  // some texts begin with it
+    const auto* at = begin.data();
+    if (end - at >= 3 && std::equal(kMark.begin(), kMark.end(), at)) at += 3;
+    while (at != end && std::isspace(*at) != 0)
+      ++at;
+    return at != end && *at == '{';
+  }
+
   /// Of UTF-16, from four hexadecimal digits.
   unsigned codeUnit() {
     unsigned unit = 0;
@@ -103,7 +134,8 @@ class Text {
   std::array<char, 1 << 16> block_;
   std::size_t at_ = 0;
   std::size_t count_ = 0;
-  std::size_t read_ = 0;  ///< bytes
+  std::size_t read_ = 0;         ///< bytes
+  std::size_t size_ = kMaxText;  ///< bytes; no more blocks are read beyond
 };
 
 /// The values of all keys "uri", but those that are data.
@@ -128,25 +160,31 @@ std::vector<std::string> urisOf(const std::string& path) {
   return uris;
 }
 
-bool isGltf(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".gltf";
+/// What assimp may open for a URI: as it is written, decoded, without its scheme, with the
+/// separators of Windows, or the file of that name beside the glTF.
+std::set<std::string> namesOf(const std::string& uri) {
+  std::set<std::string> names;
+  for (std::string name : {uri, percentDecoded(uri)}) {
+    names.insert(name);
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (name.rfind(kScheme, 0) == 0) name.erase(0, kScheme.size());
+    names.insert(name);
+    names.insert(name.substr(name.rfind('/') + 1));
+  }
+  return names;
 }
 
 }  // namespace
 
 std::vector<std::string> filesOf(const std::string& path) {
-  std::vector<std::string> files{path};
-  if (!isGltf(path)) return files;
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::set<std::string> named;
   for (const std::string& uri : urisOf(path)) {
-    for (const std::string& name : {uri, percentDecoded(uri)}) {
-      const std::string named = (folder / name).string();
-      if (std::find(files.begin(), files.end(), named) == files.end()) files.push_back(named);
-    }
+    for (const std::string& name : namesOf(uri))
+      named.insert((folder / name).string());
   }
+  std::vector<std::string> files{path};
+  files.insert(files.end(), named.begin(), named.end());
   return files;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which other files a glTF text gets its geometry from.
+// Which other files a glTF gets its geometry from.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace link_bounds {
 
-/// Of a `.gltf`, its own path and then what its URIs may name, with and without %20 and the like
-/// decoded; data URIs name nothing. Of any other file its own path.
+/// The file's own path; and of a glTF, text or binary and under any name, also what assimp may open
+/// for its URIs. Data URIs name nothing.
 std::vector<std::string> filesOf(const std::string& path);
 
 }  // namespace link_bounds

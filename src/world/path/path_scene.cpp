@@ -248,7 +248,7 @@ class SceneMaker {
   }
 
   /// The link of the robot to which the object is attached, or below whose frame its own one is.
-  /// What was placed once, or follows a frame below a link that rests, is beside the robot.
+  /// What was placed once, or follows a frame that moves on a link that rests, is beside the robot.
   Carrier carrierOf(const PastBody& body) {
     const std::optional<std::size_t> above = linkAbove(body);
     if (body.held) return {body.held->link};
@@ -256,7 +256,8 @@ class SceneMaker {
     const auto& of_links = rigid_in_urdf_.of_links;
     if (attached && above && of_links[*above] == *attached) return {*above, body.is_carried_over};
     const bool is_known = above ? !mayStayBehind(body, *above) : isKnownToRest(body);
-    const bool is_beside = !above || !(isMoved(*above) || isFixedFrameMoved());
+    const bool rests = above && !isMoved(*above) && !isFixedFrameMoved();
+    const bool is_beside = !above || (rests && !isMounted(body, *above));
     const Carrier own{is_beside ? original_.root : *above, false, is_known, is_beside};
     if (!attached) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
@@ -272,11 +273,20 @@ class SceneMaker {
         "where it is on the link to which it is attached is not known; let it follow a frame of "
         "that link, with stamp 0, or send it anew with a new stamp";
     if (body.is_carried_over) return kNotKnown;
-    const std::vector<Frame> edges = edgesBetween(tf_, link, *body.frame);
-    const auto is_static = [&](Frame frame) {
-      return !tf_.hasParent(frame) || tf_.isStatic(frame);
-    };
-    return std::all_of(edges.begin(), edges.end(), is_static) ? "" : kNotKnown;
+    return areOneBody(link, *body.frame) ? "" : kNotKnown;
+  }
+
+  /// Whether tf says once for all where the frames are on each other.
+  bool areOneBody(Frame a, Frame b) const {
+    const std::vector<Frame> edges = edgesBetween(tf_, a, b);
+    return std::all_of(edges.begin(), edges.end(),
+                       [&](Frame frame) { return !tf_.hasParent(frame) || tf_.isStatic(frame); });
+  }
+
+  /// Whether the object's own frame is that of a link or one that is static on it.
+  bool isMounted(const PastBody& body, std::size_t link) const {
+    const auto frame = body.header ? body.header : body.frame;
+    return areOneBody(*scene_.robot_frames[link], *frame);
   }
 
   bool isMoved(std::size_t link) const {

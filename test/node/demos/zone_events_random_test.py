@@ -154,6 +154,22 @@ class ZoneEventsRandom(unittest.TestCase):
             count = told.count("link hand %s zone %s" % (event, ZONE))
             self.assertIn(count, (8, 9, 10), told)
 
+    def test_a_link_leaves_though_one_topic_is_often_ahead(self):
+        """Messages of one stamp, as with neighbours; every other look falls between two topics."""
+        told = []
+        watch = Watch("zones", told.append)
+        boxes = AxisAlignedBoxArray(
+            boxes=[AxisAlignedBox(name=name) for name in ("hand", ZONE)])
+        for i in range(40):
+            watch.take_boxes(boxes)
+            watch.settle()
+            visits = [BoxOverlap(first="hand", second=ZONE)] * (i < 20)
+            watch.take_overlaps(BoxOverlapArray(overlaps=visits))
+            watch.settle()
+            if i == 24:
+                self.assertEqual(told[-1], "link hand left zone " + ZONE)
+        self.assertEqual(len(told), 3, told)
+
     def test_a_log_that_cannot_be_written_keeps_no_event_back(self):
         told, full = [], OSError(28, "No space left on device")
         with unittest.mock.patch("rospy.loginfo", side_effect=full):

@@ -198,6 +198,18 @@ class RosTools(unittest.TestCase):
                 self.assertEqual(done.returncode, 1)
                 rospy.delete_param("/wrong/" + name)
 
+    def test_a_description_that_is_none_ends_joint_mover_with_a_line(self):
+        limit = "<robot><joint name='j' type='revolute'><limit lower='x' upper='1'/></joint></robot>"
+        for description in (5, "<robot", limit):
+            with self.subTest(description):
+                rospy.set_param("/wrong/robot_description", description)
+                done = subprocess.run([sys.executable, LAUNCH + "demo/joint_mover.py",
+                                       "__name:=wrong"], stderr=subprocess.PIPE, timeout=DEADLINE)
+                self.assertRegex(done.stderr.decode(),
+                                 r"^\S*\[FATAL\][^\n]*robot_description cannot be used: [^\n]+\n$")
+                self.assertEqual(done.returncode, 1)
+                rospy.delete_param("/wrong/robot_description")
+
     def test_rostopic_echo_prints_a_message(self):
         text = subprocess.run(["rostopic", "echo", "-n1", NODE + "/boxes"], check=True,
                               timeout=DEADLINE, stdout=subprocess.PIPE).stdout.decode()

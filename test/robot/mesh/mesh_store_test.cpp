@@ -129,6 +129,57 @@ TEST_F(MeshStoreTest, AGltfIsReadAnewWhenAFileThatItNamesIsReplaced) {
   }
 }
 
+/// With its JSON, as the binary kind of glTF; the rest of the file is a quotation mark.
+std::string binaryGltf(const std::string& json) {
+  std::string text = "glTF" + std::string(16, '\0') + json + '"';
+  text[12] = static_cast<char>(json.size());
+  return text;
+}
+
+/// assimp knows glTF by its content, too, and looks for a file that is not there beside the mesh.
+TEST_F(MeshStoreTest, AGltfIsReadAnewWhateverItsNameAndHoweverItNamesAFile) {
+  int reads = 0;
+  MeshStore store([&reads](const MeshFile&) {
+    ++reads;
+    return TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  });
+  const MeshFile beside = write("a.bin", "old"), below = write("sub/a.bin", "old");
+  const MeshFile unnamed = write("b.bin", "old");
+  const std::string here = beside.path;
+  for (const auto& [uri, is_below] : std::map<std::string, bool>{{R"(C:\\x\\a.bin)", false},
+                                                                 {"/home/you/a.bin", false},
+                                                                 {"export/a.bin", false},
+                                                                 {"file://" + here, false},
+                                                                 {R"(sub\\a.bin)", true}}) {
+    const std::string json = R"({"buffers": [{"uri": ")" + uri + R"("}]})";
+    const std::string many = R"({"images": [)" +
+                             [] {
+                               std::string images;
+                               for (int i = 0; i < 9000; ++i)
+                                 images += R"({"uri": "i.png"}, )";
+                               return images;
+                             }() +
+                             R"({"uri": ")" + uri + R"("}]})";
+    for (const auto& [name, text] :
+         std::map<std::string, std::string>{{"a.gltf", json},
+                                            {"none", "\n" + json},
+                                            {"a.json", "\xEF\xBB\xBF" + json},
+                                            {"a.glb", binaryGltf(json)},
+                                            {"a", binaryGltf(json)},
+                                            {"many.gltf", many}}) {
+      const MeshFile file = write(name, text);
+      const LoadedMesh first = store.load({file}).at(0);
+      const int before = reads;
+      replace(unnamed, name + uri);
+      EXPECT_EQ(store.load({file}).at(0).points, first.points) << name;
+      EXPECT_EQ(reads, before) << name;
+      replace(is_below ? below : beside, name + uri);
+      EXPECT_NE(store.load({file}).at(0).points, first.points) << uri << " in " << name;
+      EXPECT_EQ(reads, before + 1) << uri << " in " << name;
+    }
+  }
+}
+
 TEST_F(MeshStoreTest, AFileOfAFarFutureIsReadOnceAndAnewWhenItIsRewritten) {
   const MeshFile file = write("a", "1");
   // In the year 2400; 64 bits of nanoseconds end in 2262.

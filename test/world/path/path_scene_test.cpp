@@ -41,6 +41,15 @@ constexpr char kCart[] = R"(<robot name="cart"><link name="floor"/>
     <origin xyz="1 0 0" rpy="0.3 0 0"/><axis xyz="0 0 1"/></joint>
 </robot>)";
 
+/// A head that does not turn, beside an arm that does.
+constexpr char kHead[] = R"(<robot name="head"><link name="base"/><link name="head"/>
+  <link name="arm"><visual><geometry><box size="0.2 0.2 0.2"/></geometry></visual></link>
+  <joint name="neck" type="fixed"><parent link="base"/><child link="head"/>
+    <origin xyz="0 0 1"/></joint>
+  <joint name="turn" type="continuous"><parent link="base"/><child link="arm"/>
+    <axis xyz="0 0 1"/></joint>
+</robot>)";
+
 /// The arm may touch what it holds.
 Parameters ignoring() {
   Parameters parameters = inFrame("map");
@@ -270,7 +279,8 @@ TEST(PathScene, WhatTfTellsSeldomIsWhereItWasInTheFixedFrame) {
   EXPECT_LT((placeOf(path, "held/1") - Eigen::Vector3d(0.5, 0, 0)).norm(), kTolerance);
 }
 
-/// The base has driven on since its camera saw something. What is attached to the base rides on it.
+/// The base has driven on since its camera saw something. What is attached to the base, or static
+/// on a link of it, rides along.
 TEST(PathScene, WhatACameraOfTheBaseSawIsWhereItWasInTheFixedFrame) {
   for (const bool is_attached : {false, true}) {
     Parameters parameters = inFrame("map");
@@ -285,6 +295,27 @@ TEST(PathScene, WhatACameraOfTheBaseSawIsWhereItWasInTheFixedFrame) {
     EXPECT_EQ(path.incomplete, Names{});
     const Eigen::Vector3d expected(is_attached ? 2 : 0.5, 0, 0);
     EXPECT_LT((placeOf(path, "held/1") - expected).norm(), kTolerance) << is_attached;
+  }
+}
+
+/// Of a link that tf tells less often than the base, as static_transform_publisher of tf does.
+TEST(PathScene, WhatIsMountedOnALinkThatRestsRidesAlong) {
+  for (const char* const frame : {"head", "plate"}) {
+    MovingRobot robot(kHead, inFrame("map"));
+    ObjectContent mounted = boxIn(frame);
+    mounted.bounded.name = "held/1";
+    robot.scene().objects.put({"held", 1}, mounted, ros::Time(kStamp));
+    robot.send(kStamp, {0, 0}, at(0));
+    robot.add("head", "plate", kStamp, at(0.5), true);
+    for (int i = 0; i <= 50; ++i) {
+      robot.add("map", "base", kStamp + 0.01 * i, at(0.03 * i));
+      robot.add("base", "arm", kStamp + 0.01 * i, at(0));
+    }
+    robot.scene().update(ros::Time(kStamp));
+    const PathScene path = pathOf(robot.scene(), robot.model(), kStamp + 0.5, {"turn"});
+    EXPECT_EQ(path.incomplete, Names{}) << frame;
+    const Eigen::Vector3d expected(frame == std::string("plate") ? 0.5 : 0, 0, 0);
+    EXPECT_LT((placeOf(path, "held/1") - expected).norm(), kTolerance) << frame;
   }
 }
 

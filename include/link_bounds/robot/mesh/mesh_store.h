@@ -49,7 +49,7 @@ enum class MeshContent { kPoints, kPointsAndTriangles, kPointsAndTree, kAll };
 /// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
 /// are remembered until forgetFailures(); those of loads that began before are not. Dead entries
 /// are erased there, and where there are very many. load() reads a file again if it, or one that a
-/// `.gltf` names, was replaced since, and refuses one that changes while it is read. Triangles and
+/// glTF names, was replaced since, and refuses one that changes while it is read. Triangles and
 /// trees are not cached; if reading them fails, points in use stay in use. Any number of threads
 /// may use a store; what it returns is immutable.
 class MeshStore {
