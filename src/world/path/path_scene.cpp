@@ -126,6 +126,16 @@ class SceneMaker {
     joint.mimic.reset();
   }
 
+  struct Carrier {
+    std::size_t link;
+    bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
+    bool is_known = true;       ///< false: it may be any link
+    bool is_beside = false;     ///< its own place in the fixed frame counts, as seen from the root
+    /// The link, at rest, on which it moves as tf tells. Nobody tells whether a camera there saw
+    /// it, so that it stays behind a base that drives, or whether it is mounted there.
+    std::optional<std::size_t> may_ride = std::nullopt;
+  };
+
   void add(const PastBody& body) {
     const std::string& name = body.bounded->name;
     std::string problem = body.incomplete || !body.bounded->isWhole() ? body.reason : "";
@@ -135,6 +145,12 @@ class SceneMaker {
       return;
     }
     const Carrier carrier = carrierOf(body);
+    addPlaced(body, carrier, problem);
+    if (carrier.may_ride) addPlaced(body, {*carrier.may_ride}, problem);
+  }
+
+  /// Where the carrier has the body.
+  void addPlaced(const PastBody& body, const Carrier& carrier, std::string problem) {
     PathBody placed{carrier.link, {}, false};
     if (body.frame) {
       placed = placedObject(body, carrier, problem);
@@ -149,7 +165,7 @@ class SceneMaker {
       placed.is_whole = false;
     }
     if (!carrier.is_known) strays_.push_back(result_.bodies.size());
-    push(std::move(placed), {&name, std::nullopt}, problem);
+    push(std::move(placed), {&body.bounded->name, std::nullopt}, problem);
   }
 
   void push(PathBody body, PairMember member, const std::string& problem) {
@@ -158,13 +174,6 @@ class SceneMaker {
     members_.push_back(member);
     problems_.push_back(problem);
   }
-
-  struct Carrier {
-    std::size_t link;
-    bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
-    bool is_known = true;       ///< false: it may be any link
-    bool is_beside = false;     ///< its own place in the fixed frame counts, as seen from the root
-  };
 
   /// On the link that carries it. Fills `problem` if its place is not known.
   PathBody placedObject(const PastBody& body, const Carrier& carrier, std::string& problem) {
@@ -258,7 +267,8 @@ class SceneMaker {
     const bool is_known = above ? !mayStayBehind(body, *above) : isKnownToRest(body);
     const bool rests = above && !isMoved(*above) && !isFixedFrameMoved();
     const bool is_beside = !above || (rests && !isMounted(body, *above));
-    const Carrier own{is_beside ? original_.root : *above, false, is_known, is_beside};
+    Carrier own{is_beside ? original_.root : *above, false, is_known, is_beside};
+    if (is_beside) own.may_ride = above;
     if (!attached) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
     if (link == of_links.end()) return own;
@@ -338,9 +348,11 @@ class SceneMaker {
 
   void nameIncomplete() {
     for (std::size_t i = 0; i < result_.bodies.size(); ++i) {
-      if (!is_incomplete_[i]) continue;
-      if (result_.incomplete.empty()) result_.problem = result_.names[i] + ": " + problems_[i];
-      result_.incomplete.push_back(result_.names[i]);
+      const std::string& name = result_.names[i];
+      const bool is_named = !result_.incomplete.empty() && result_.incomplete.back() == name;
+      if (!is_incomplete_[i] || is_named) continue;
+      if (result_.incomplete.empty()) result_.problem = name + ": " + problems_[i];
+      result_.incomplete.push_back(name);
     }
   }
 

@@ -15,7 +15,7 @@ namespace link_bounds {
 
 /// All but these joints rest where tf has them, and so does the root. Objects move with the link
 /// that carries them: that below which their frame is, or to which they are `attached`. All others
-/// rest.
+/// rest. An object that may be in one of two places is two bodies of one name.
 struct PathScene {
   Robot robot;  ///< with simple joints; those that rest are fixed
   std::vector<PathBody> bodies;
