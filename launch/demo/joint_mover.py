@@ -56,6 +56,8 @@ def make_swing(index, joint, amplitude):
     lower, upper = float(limits.get('lower', 0)), float(limits.get('upper', 0))
     if joint.get('type') == 'continuous':
         lower, upper = -math.pi, math.pi
+    if not math.isfinite(upper - lower):
+        raise ValueError(f'a limit of joint "{joint.get("name")}" is not finite')
     reach = amplitude * (upper - lower) / 2
     period = 7.0 + 1.3 * (index % 8)
     fastest = reach * 2 * math.pi / period * (SLOW_SHARE + FAST_SHARE * GOLDEN)

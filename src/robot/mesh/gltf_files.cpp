@@ -26,6 +26,7 @@ constexpr std::string_view kScheme = "file://";
 /// ones.
 constexpr std::size_t kMaxText = 16 << 20;  // bytes
 constexpr std::size_t kMaxUris = 10000;
+constexpr std::size_t kMaxUriBytes = 1 << 20;  // of all of them
 
 bool isGltf(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -83,18 +84,19 @@ class Text {
  private:
   /// Goes to where it begins. False if the file does not look like glTF.
   bool findJson() {
-    std::array<unsigned char, 20> begin{};  // of a binary file: its header, and that of its JSON
-    const ssize_t count = pread(file_, begin.data(), begin.size(), 0);
-    if (count == static_cast<ssize_t>(begin.size()) &&
+    std::array<unsigned char, 4096> begin{};
+    constexpr std::size_t kHeaders = 20;  // bytes; of a binary file, and of its JSON
+    const ssize_t count = std::max<ssize_t>(pread(file_, begin.data(), begin.size(), 0), 0);
+    if (count >= static_cast<ssize_t>(kHeaders) &&
         std::equal(begin.begin(), begin.begin() + 4, "glTF")) {
       size_ = std::min<std::size_t>(
           begin[12] | begin[13] << 8 | begin[14] << 16 | std::size_t{begin[15]} << 24, kMaxText);
-      return lseek(file_, static_cast<off_t>(begin.size()), SEEK_SET) >= 0;
+      return lseek(file_, kHeaders, SEEK_SET) >= 0;
     }
-    const auto* const end = begin.data() + std::max<ssize_t>(count, 0);
+    const auto* const end = begin.data() + count;
     constexpr std::array<unsigned char, 3> kMark{0xEF, 0xBB, 0xBF};  // some texts begin with it
     const auto* at = begin.data();
-    if (end - at >= 3 && std::equal(kMark.begin(), kMark.end(), at)) at += 3;
+    if (count >= 3 && std::equal(kMark.begin(), kMark.end(), at)) at += 3;
     while (at != end && std::isspace(*at) != 0)
       ++at;
     return at != end && *at == '{';
@@ -144,12 +146,15 @@ std::vector<std::string> urisOf(const std::string& path) {
   Text text(path);
   std::string key;  // the last string, if only blanks and a colon came since
   bool has_colon = false;
-  for (char c = 0; uris.size() < kMaxUris && text.next(c);) {
+  std::size_t bytes = 0;
+  for (char c = 0; uris.size() < kMaxUris && bytes < kMaxUriBytes && text.next(c);) {
     if (std::isspace(static_cast<unsigned char>(c)) != 0) continue;
     if (c == '"') {
       std::string string = text.string();
-      if (has_colon && key == "uri" && string.size() <= kMaxName && string.rfind("data:", 0) != 0)
+      if (has_colon && key == "uri" && string.size() <= kMaxName && string.rfind("data:", 0) != 0) {
         uris.push_back(string);
+        bytes += string.size();
+      }
       key = std::move(string);
       has_colon = false;
     } else {
@@ -160,8 +165,8 @@ std::vector<std::string> urisOf(const std::string& path) {
   return uris;
 }
 
-/// What assimp may open for a URI: as it is written, decoded, without its scheme, with the
-/// separators of Windows, or the file of that name beside the glTF.
+/// What assimp may open for a URI, behind the folder of the glTF: as it is written, decoded,
+/// without its scheme, with the separators of Windows, or the file of that name beside the glTF.
 std::set<std::string> namesOf(const std::string& uri) {
   std::set<std::string> names;
   for (std::string name : {uri, percentDecoded(uri)}) {
@@ -169,7 +174,7 @@ std::set<std::string> namesOf(const std::string& uri) {
     std::replace(name.begin(), name.end(), '\\', '/');
     if (name.rfind(kScheme, 0) == 0) name.erase(0, kScheme.size());
     names.insert(name);
-    names.insert(name.substr(name.rfind('/') + 1));
+    names.insert(percentDecoded(name.substr(name.rfind('/') + 1)));
   }
   return names;
 }
@@ -180,8 +185,10 @@ std::vector<std::string> filesOf(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::set<std::string> named;
   for (const std::string& uri : urisOf(path)) {
-    for (const std::string& name : namesOf(uri))
+    for (const std::string& name : namesOf(uri)) {
       named.insert((folder / name).string());
+      named.insert(folder.string() + '/' + name);  // of a name that begins with a slash, too
+    }
   }
   std::vector<std::string> files{path};
   files.insert(files.end(), named.begin(), named.end());

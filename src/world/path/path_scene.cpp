@@ -130,7 +130,7 @@ class SceneMaker {
     std::size_t link;
     bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
     bool is_known = true;       ///< false: it may be any link
-    bool is_beside = false;     ///< its own place in the fixed frame counts, as seen from the root
+    bool is_beside = false;     ///< it has a place of its own, see groundOf(); `link` is the root
     /// The link, at rest, on which it moves as tf tells. Nobody tells whether a camera there saw
     /// it, so that it stays behind a base that drives, or whether it is mounted there.
     std::optional<std::size_t> may_ride = std::nullopt;
@@ -186,16 +186,21 @@ class SceneMaker {
     }
     if (place_problem.empty() && carrier.is_elsewhere)
       place_problem = whyNotHeld(body, *link_frame);
-    if (place_problem.empty() && !carrier.is_beside)
-      place_problem = describe(poseOn(*link_frame, *body.frame).problem, tf_.name(*body.frame),
-                               tf_.name(*link_frame));
+    const std::optional<Frame> ground = place_problem.empty() && carrier.is_beside
+                                            ? std::make_optional(groundOf(*link_frame, *body.frame))
+                                            : std::nullopt;
+    for (const auto& [from, to] : {std::pair(ground, link_frame), std::pair(ground, body.frame)}) {
+      if (from && place_problem.empty()) place_problem = problemOn(*from, *to);
+    }
+    if (place_problem.empty() && !ground) place_problem = problemOn(*link_frame, *body.frame);
     if (!place_problem.empty()) {
       problem = place_problem;
       return result;
     }
     Eigen::Affine3d link_from_object =
-        carrier.is_beside ? poseBeside(*link_frame, *body.frame)
-                          : poseOn(*link_frame, *body.frame).fixed_from_frame.affine;
+        ground ? poseOn(*ground, *link_frame).fixed_from_frame.affine.inverse(Eigen::Isometry) *
+                     poseOn(*ground, *body.frame).fixed_from_frame.affine
+               : poseOn(*link_frame, *body.frame).fixed_from_frame.affine;
     if (body.frame_from_body) link_from_object = link_from_object * *body.frame_from_body;
     if (body.held) link_from_object = body.held->link_from_body;
     if (!link_from_object.matrix().allFinite()) {
@@ -209,18 +214,28 @@ class SceneMaker {
     return result;
   }
 
-  /// A frame as seen from a link, at the latest common time of the way between the two.
-  const FramePose& poseOn(Frame link, Frame frame) {
-    const auto [tracker, is_new] = trackers_of_links_.try_emplace(link, tf_);
-    if (is_new) tracker->second.setTarget(link, 0, scene_.now);
+  /// A frame as seen from another one, at the latest common time of the way between the two.
+  const FramePose& poseOn(Frame base, Frame frame) {
+    const auto [tracker, is_new] = trackers_.try_emplace(base, tf_);
+    if (is_new) tracker->second.setTarget(base, 0, scene_.now);
     return tracker->second.keep(frame);
   }
 
-  /// The same where both have their own places in the fixed frame, each at its newest time: a base
-  /// may have driven on since its camera saw the object.
-  Eigen::Affine3d poseBeside(Frame link, Frame frame) {
-    const Eigen::Affine3d fixed_from_link = tracker_.keep(link).fixed_from_frame.affine;
-    return fixed_from_link.inverse(Eigen::Isometry) * tracker_.keep(frame).fixed_from_frame.affine;
+  std::string problemOn(Frame base, Frame frame) {
+    return describe(poseOn(base, frame).problem, tf_.name(frame), tf_.name(base));
+  }
+
+  /// The frame in which the root and the frame of an object each have a place of their own, at its
+  /// newest time: a base may have driven on since the other one was sent. It is the first one above
+  /// both; and for what a camera of the robot saw, the fixed frame, or if that is on the robot, the
+  /// last one above it.
+  Frame groundOf(Frame root, Frame frame) const {
+    const std::vector<Frame> way = wayUp(tf_, root);
+    const Frame meet = climb(tf_, frame, [&way](Frame at) {
+      return std::find(way.begin(), way.end(), at) != way.end();
+    });
+    if (!linkAbove(meet)) return meet;
+    return linkAbove(scene_.target) ? way.back() : scene_.target;
   }
 
   /// The link below whose frame this one is, if there is one.
@@ -265,8 +280,7 @@ class SceneMaker {
     const auto& of_links = rigid_in_urdf_.of_links;
     if (attached && above && of_links[*above] == *attached) return {*above, body.is_carried_over};
     const bool is_known = above ? !mayStayBehind(body, *above) : isKnownToRest(body);
-    const bool rests = above && !isMoved(*above) && !isFixedFrameMoved();
-    const bool is_beside = !above || (rests && !isMounted(body, *above));
+    const bool is_beside = !above || (!isMoved(*above) && !isMounted(body, *above));
     Carrier own{is_beside ? original_.root : *above, false, is_known, is_beside};
     if (is_beside) own.may_ride = above;
     if (!attached) return own;
@@ -367,7 +381,7 @@ class SceneMaker {
   const Robot& original_;
   TransformBuffer& tf_;
   FrameTracker tracker_;
-  std::map<Frame, FrameTracker> trackers_of_links_;  ///< which carry objects
+  std::map<Frame, FrameTracker> trackers_;  ///< by the frame that is their target
   const PathTrees& trees_;
   std::map<Frame, std::size_t> links_;  ///< of the robot
   const RigidBodies rigid_in_urdf_;

@@ -199,8 +199,9 @@ class RosTools(unittest.TestCase):
                 rospy.delete_param("/wrong/" + name)
 
     def test_a_description_that_is_none_ends_joint_mover_with_a_line(self):
-        limit = "<robot><joint name='j' type='revolute'><limit lower='x' upper='1'/></joint></robot>"
-        for description in (5, "<robot", limit):
+        limits = ["<robot><joint name='j' type='revolute'><limit lower='%s' upper='1'/></joint></robot>" %
+                  lower for lower in ("x", "nan", "-1e400")]
+        for description in (5, "<robot", *limits):
             with self.subTest(description):
                 rospy.set_param("/wrong/robot_description", description)
                 done = subprocess.run([sys.executable, LAUNCH + "demo/joint_mover.py",

@@ -150,7 +150,11 @@ TEST_F(MeshStoreTest, AGltfIsReadAnewWhateverItsNameAndHoweverItNamesAFile) {
                                                                  {"/home/you/a.bin", false},
                                                                  {"export/a.bin", false},
                                                                  {"file://" + here, false},
-                                                                 {R"(sub\\a.bin)", true}}) {
+                                                                 {R"(sub\\a.bin)", true},
+                                                                 {"/sub/a.bin", true},
+                                                                 {"//sub/a.bin", true},
+                                                                 {R"(\\sub\\a.bin)", true},
+                                                                 {"%2Fsub%2Fa.bin", true}}) {
     const std::string json = R"({"buffers": [{"uri": ")" + uri + R"("}]})";
     const std::string many = R"({"images": [)" +
                              [] {
@@ -162,7 +166,7 @@ TEST_F(MeshStoreTest, AGltfIsReadAnewWhateverItsNameAndHoweverItNamesAFile) {
                              R"({"uri": ")" + uri + R"("}]})";
     for (const auto& [name, text] :
          std::map<std::string, std::string>{{"a.gltf", json},
-                                            {"none", "\n" + json},
+                                            {"none", std::string(4000, '\n') + json},
                                             {"a.json", "\xEF\xBB\xBF" + json},
                                             {"a.glb", binaryGltf(json)},
                                             {"a", binaryGltf(json)},

@@ -46,7 +46,8 @@ struct Placed {
 
 class PathPlaces {
  public:
-  explicit PathPlaces(unsigned seed) : random_(seed), robot_(kDrivingArm, inMap()) {
+  explicit PathPlaces(unsigned seed)
+      : random_(seed), robot_(kDrivingArm, inFrame(seed % 3 == 0 ? "arm" : "map")) {
     send();
     for (int i = 0; i < kObjects; ++i)
       put(i);
@@ -75,9 +76,9 @@ class PathPlaces {
   int rides() const { return rides_; }
 
  private:
-  static Parameters inMap() {
+  static Parameters inFrame(const std::string& fixed_frame) {
     Parameters parameters;
-    parameters.fixed_frame = "map";
+    parameters.fixed_frame = fixed_frame;
     parameters.timeout = 0;
     return parameters;
   }
