@@ -89,8 +89,10 @@ class Text {
     const ssize_t count = std::max<ssize_t>(pread(file_, begin.data(), begin.size(), 0), 0);
     if (count >= static_cast<ssize_t>(kHeaders) &&
         std::equal(begin.begin(), begin.begin() + 4, "glTF")) {
-      size_ = std::min<std::size_t>(
-          begin[12] | begin[13] << 8 | begin[14] << 16 | std::size_t{begin[15]} << 24, kMaxText);
+      std::size_t size = 0;
+      for (const std::size_t byte : {15u, 14u, 13u, 12u})
+        size = size << 8 | begin[byte];
+      size_ = std::min(size, kMaxText);
       return lseek(file_, kHeaders, SEEK_SET) >= 0;
     }
     const auto* const end = begin.data() + count;
