@@ -90,7 +90,7 @@ class Watch:
         self._boxes, self._overlaps = History(), History()
         self._inside = {}  # (name, zone): the time of the newest ~overlaps with it
         self._outside = {}  # of those inside, who is not any more: whether it has a box
-        self._settled = set()  # of those outside, who was so a PERIOD ago
+        self._settled = set()  # of those outside, who was so when both topics last agreed
         self._quiet = 0  # PERIODs since the last message
         self._apart = 0  # PERIODs for which the topics contradict each other
         self._alone = 0  # PERIODs for which nobody publishes a topic
@@ -132,7 +132,7 @@ class Watch:
             patience = APART if self._boxes.is_behind(self._overlaps) else LOST
             if is_quiet or self._apart > patience:
                 self._begin_anew()
-            if self._boxes.contradicts(self._overlaps):  # one of them will come
+            if self._boxes.contradicts(self._overlaps):  # a message of one topic is on its way
                 self._settled &= set(self._outside)
                 return
             outside = {pair for pair in self._outside

@@ -186,21 +186,19 @@ class SceneMaker {
     }
     if (place_problem.empty() && carrier.is_elsewhere)
       place_problem = whyNotHeld(body, *link_frame);
-    const std::optional<Frame> ground = place_problem.empty() && carrier.is_beside
-                                            ? std::make_optional(groundOf(*link_frame, *body.frame))
-                                            : std::nullopt;
-    for (const auto& [from, to] : {std::pair(ground, link_frame), std::pair(ground, body.frame)}) {
-      if (from && place_problem.empty()) place_problem = problemOn(*from, *to);
+    Frame base = 0;
+    if (place_problem.empty())
+      base = carrier.is_beside ? groundOf(*link_frame, *body.frame) : *link_frame;
+    for (const auto& frame : {link_frame, body.frame}) {
+      if (place_problem.empty()) place_problem = problemOn(base, *frame);
     }
-    if (place_problem.empty() && !ground) place_problem = problemOn(*link_frame, *body.frame);
     if (!place_problem.empty()) {
       problem = place_problem;
       return result;
     }
+    const Eigen::Affine3d base_from_link = poseOn(base, *link_frame).fixed_from_frame.affine;
     Eigen::Affine3d link_from_object =
-        ground ? poseOn(*ground, *link_frame).fixed_from_frame.affine.inverse(Eigen::Isometry) *
-                     poseOn(*ground, *body.frame).fixed_from_frame.affine
-               : poseOn(*link_frame, *body.frame).fixed_from_frame.affine;
+        base_from_link.inverse(Eigen::Isometry) * poseOn(base, *body.frame).fixed_from_frame.affine;
     if (body.frame_from_body) link_from_object = link_from_object * *body.frame_from_body;
     if (body.held) link_from_object = body.held->link_from_body;
     if (!link_from_object.matrix().allFinite()) {
