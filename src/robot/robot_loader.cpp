@@ -23,7 +23,7 @@ RobotLoader::RobotLoader(MeshImporter importer, MeshRemedy remedy)
     : remedy_(std::move(remedy)),
       store_(
           [importer = std::move(importer)](const MeshFile& file) {
-            TriangleMesh mesh = importer(file);
+            ImportedMesh mesh = importer(file);
             checkTriangles(mesh);
             return mesh;
           },

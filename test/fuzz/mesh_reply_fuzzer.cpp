@@ -29,7 +29,7 @@ class Reader {
   std::size_t left_;
 };
 
-std::string replyOf(const TriangleMesh& mesh) {
+std::string replyOf(const ImportedMesh& mesh) {
   std::string bytes;
   writeMeshReply(mesh, [&](const void* next, std::size_t count) {
     bytes.append(static_cast<const char*>(next), count);
@@ -45,7 +45,7 @@ std::string replyOf(const MeshError& error) {
   return bytes;
 }
 
-void checkMesh(const TriangleMesh& mesh, const std::uint8_t* data, std::size_t size) {
+void checkMesh(const ImportedMesh& mesh, const std::uint8_t* data, std::size_t size) {
   require(!mesh.triangles.empty(), "a mesh has a triangle");
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t index : triangle)
@@ -80,6 +80,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   static const std::vector<std::string> kSeeds{
       replyOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}}),
       replyOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, {{0, 1, 2}, {1, 2, 3}}}),
+      replyOf({TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}},
+               {{"/a", {1, 2, 3, {4, 5}, {6, 7}}}, {"/b", {}}}}),
       replyOf(MeshError("it has no triangle"))};
   const std::size_t seed_size = seeded(kSeeds, random, data, size, max_size);
   return seed_size > 0 ? seed_size : LLVMFuzzerMutate(data, size, max_size);

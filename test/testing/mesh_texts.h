@@ -45,6 +45,16 @@ inline std::string binaryStl(const Corners& corners, std::string header = "") {
   return result;
 }
 
+/// A glTF whose three vertices are in another file.
+inline std::string gltf(const std::string& buffer_uri) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
+         R"("min":[0,0,0],"max":[1,2,3]}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+         R"("buffers":[{"byteLength":36,"uri":")" +
+         buffer_uri + R"("}]})";
+}
+
 inline std::string asciiStl(const Corners& corners) {
   std::string result = "solid test\n";
   for (std::size_t i = 0; i < corners.size(); ++i) {

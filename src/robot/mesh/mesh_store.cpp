@@ -3,8 +3,6 @@
 // A map of weak pointers, and threads that import the files that are not in it.
 #include "link_bounds/robot/mesh/mesh_store.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -13,29 +11,22 @@
 #include <thread>
 
 #include "robot/mesh/erase_dead.h"
-#include "robot/mesh/gltf_files.h"
 #include "robot/threads/row_threads.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr char kChangedReason[] = "it changed while it was read";
-
-/// Twice the longest tick of the kernel clock that sets the times of files (10 ms at 100 Hz). Two
-/// writes within one tick give the same time.
-constexpr std::chrono::milliseconds kFileTick(20);
 constexpr int kMaxTicks = 50;
 
-bool areEqual(const timespec& a, const timespec& b) {
-  return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
-}
-
-/// In seconds; as double, because a file may claim any time.
-double secondsSince(const timespec& time) {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return static_cast<double>(now.tv_sec) - static_cast<double>(time.tv_sec) +
-         1e-9 * static_cast<double>(now.tv_nsec - time.tv_nsec);
+/// Waits until a tick has passed since the last write, so that every later write gives a new
+/// version; but for a second at most, if somebody goes on writing, and not once it is cancelled.
+FileVersion settledVersion(const std::string& path, const std::function<bool()>& is_cancelled) {
+  for (int ticks = 0;; ++ticks) {
+    const FileVersion version = fileVersion(path);
+    const bool is_over = ticks == kMaxTicks || (is_cancelled && is_cancelled());
+    if (is_over || isSettled(version)) return version;
+    std::this_thread::sleep_for(kFileTick);
+  }
 }
 
 bool hasTriangles(MeshContent content) {
@@ -51,59 +42,30 @@ bool hasTree(MeshContent content) {
 MeshStore::MeshStore(TimedMeshImporter importer, MeshRemedy remedy)
     : importer_(std::move(importer)), remedy_(std::move(remedy)), max_entries_(kManyMeshes) {}
 
-bool MeshStore::FileVersion::operator==(const FileVersion& other) const {
-  return device == other.device && inode == other.inode && size == other.size &&
-         areEqual(written, other.written) && areEqual(changed, other.changed);
-}
-
-MeshStore::Version MeshStore::versionOf(const std::string& path) {
-  Version version;
-  for (const std::string& file : filesOf(path)) {
-    struct stat status {};
-    FileVersion& one = version.emplace_back();
-    if (stat(file.c_str(), &status) == 0)
-      one = {status.st_dev, status.st_ino, static_cast<std::uintmax_t>(status.st_size),
-             status.st_mtim, status.st_ctim};
-  }
-  return version;
-}
-
-/// Waits until a tick has passed since the last write, so that every later write gives a new
-/// version; but for a second at most, if somebody goes on writing, and not once it is cancelled.
-MeshStore::Version MeshStore::settledVersionOf(const std::string& path,
-                                               const std::function<bool()>& is_cancelled) {
-  const auto is_settled = [](const FileVersion& file) {
-    const double age = secondsSince(file.changed);
-    return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
-  };
-  for (int ticks = 0;; ++ticks) {
-    const Version version = versionOf(path);
-    const bool is_over = ticks == kMaxTicks || (is_cancelled && is_cancelled());
-    if (is_over || std::all_of(version.begin(), version.end(), is_settled)) return version;
-    std::this_thread::sleep_for(kFileTick);
-  }
-}
-
 LoadedMesh MeshStore::cached(const MeshFile& file) const {
-  const Version version = versionOf(file.path);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = entries_.find(file.path);
-  if (found == entries_.end()) return {};
-  const Entry& entry = found->second;
+  Entry entry;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = entries_.find(file.path);
+    if (found == entries_.end()) return {};
+    entry = found->second;
+  }
   if (!entry.error.empty()) return {nullptr, entry.error};
-  if (!(entry.version == version)) return {};
+  if (!areUnchanged(*entry.files)) return {};
   return {entry.points.lock(), ""};
 }
 
-/// If only triangles or the tree are new, the points that are in use are returned.
-LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
-                             const Request& request) const {
+/// If only triangles or the tree are new, the points that are in use are returned. `files` begins
+/// with the mesh file, and gets the others.
+LoadedMesh MeshStore::import(const MeshFile& file, const Request& request,
+                             FileVersions& files) const {
   try {
     const CheckInterrupt deadline = meshDeadline(request.limits, request.is_cancelled);
     deadline();
-    const auto mesh =
-        std::make_shared<const TriangleMesh>(importer_(file, request.limits, deadline));
-    if (!(versionOf(file.path) == version)) return failure(kChangedReason, MeshFault::kChanged);
+    ImportedMesh imported = importer_(file, request.limits, deadline);
+    files.merge(imported.files);
+    if (!areUnchanged(files)) return failure(kChangedReason, MeshFault::kChanged);
+    const auto mesh = std::make_shared<const TriangleMesh>(std::move(imported));
     LoadedMesh result{cached(file).points, ""};
     if (!result.points) result.points = std::make_shared<const PointSet>(mesh->vertices, deadline);
     if (hasTriangles(request.content)) result.triangles = mesh;
@@ -112,8 +74,7 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
   } catch (const std::bad_alloc&) {
     return failure("it does not fit into memory", MeshFault::kComputer);
   } catch (const MeshError& error) {
-    const bool is_half_written =
-        error.fault() == MeshFault::kFile && !(versionOf(file.path) == version);
+    const bool is_half_written = error.fault() == MeshFault::kFile && !areUnchanged(files);
     if (is_half_written) return failure(kChangedReason, MeshFault::kChanged);
     return failure(error.what(), error.fault());
   } catch (const std::exception& error) {
@@ -158,29 +119,30 @@ LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcep
 }
 
 LoadedMesh MeshStore::importAndRemember(const MeshFile& file, const Request& request) {
-  const Version version = settledVersionOf(file.path, request.is_cancelled);
-  LoadedMesh mesh = import(file, version, request);
-  remember(file, version, request, mesh);
+  FileVersions files{{file.path, settledVersion(file.path, request.is_cancelled)}};
+  LoadedMesh mesh = import(file, request, files);
+  remember(file, std::move(files), request, mesh);
   return mesh;
 }
 
 /// If another load has read the same file meanwhile, its points become those of this one.
-void MeshStore::remember(const MeshFile& file, const Version& version, const Request& request,
+void MeshStore::remember(const MeshFile& file, FileVersions files, const Request& request,
                          LoadedMesh& mesh) {
   const auto in_use = cached(file).points;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!mesh.points) {
     const bool is_outdated = mesh.is_cancelled || request.generation != generation_;
     // If points are in use, only reading the triangles failed.
-    if (!is_outdated && !in_use) entries_[file.path] = {version, {}, mesh.error};
+    if (!is_outdated && !in_use) entries_[file.path] = {nullptr, {}, mesh.error};
     return;
   }
   eraseDead(entries_, max_entries_,
             [](const Entry& entry) { return entry.error.empty() && entry.points.expired(); });
   Entry& entry = entries_[file.path];
-  const auto points = entry.version == version ? entry.points.lock() : nullptr;
+  const bool is_same = entry.files && *entry.files == files;
+  const auto points = is_same ? entry.points.lock() : nullptr;
   if (points) mesh.points = points;
-  entry = {version, mesh.points, ""};
+  entry = {std::make_shared<const FileVersions>(std::move(files)), mesh.points, ""};
 }
 
 std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <thread>
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "robot/mesh/percent_decoded.h"
@@ -68,11 +69,29 @@ ConfinedFiles::ConfinedFiles(const MeshFile& mesh, std::uint64_t max_bytes, Byte
 /// O_NONBLOCK: does not wait for the writer of a pipe. O_NOCTTY: takes no controlling terminal. A
 /// glTF names its buffers by URIs, which assimp does not decode.
 int ConfinedFiles::openForReading(const std::string& path) const {
-  constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
-  const int descriptor = open(path.c_str(), kFlags);
+  const int descriptor = openAndNote(path);
   if (descriptor >= 0 || path.rfind(folder_, 0) != 0) return descriptor;
-  const std::string name = percentDecoded(path.substr(folder_.size()));
-  return open((folder_ + name).c_str(), kFlags);
+  const std::string decoded = folder_ + percentDecoded(path.substr(folder_.size()));
+  return decoded == path ? descriptor : openAndNote(decoded);
+}
+
+/// Waits until a tick has passed since the last write, so that every later write gives a new
+/// version; but for a second at most in all, if somebody goes on writing. The version is older than
+/// the attempt to open the file where that fails.
+int ConfinedFiles::openAndNote(const std::string& path) const {
+  std::error_code error;
+  const std::string absolute = std::filesystem::absolute(path, error).string();
+  if (absolute.empty()) return -1;
+  FileVersion version = fileVersion(absolute);
+  const int descriptor = open(absolute.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  struct stat status {};
+  while (descriptor >= 0 && fstat(descriptor, &status) == 0) {
+    version = fileVersion(status);
+    if (isSettled(version) || ticks_left_-- <= 0) break;
+    std::this_thread::sleep_for(kFileTick);
+  }
+  files_.emplace(absolute, version);
+  return descriptor;
 }
 
 bool ConfinedFiles::Exists(const char* path) const {

@@ -11,13 +11,15 @@
 #include <string>
 #include <utility>
 
+#include "link_bounds/robot/mesh/imported_mesh.h"
 #include "robot/worker/mesh_import.h"
 
 namespace link_bounds {
 
 /// Opens for reading only, and only regular files whose real path lies below the mesh's root,
 /// because a mesh may name any file of the machine as its material or buffer. Refuses files that
-/// have more than `max_bytes` when they are opened.
+/// have more than `max_bytes` when they are opened. Remembers which files were opened or looked
+/// for.
 class ConfinedFiles : public Assimp::IOSystem {
  public:
   /// `on_bytes` may be null. It is called before each file is read, with the sum of the sizes of
@@ -27,6 +29,9 @@ class ConfinedFiles : public Assimp::IOSystem {
   /// Which file was refused because of its size, in words; "" if none was.
   const std::string& tooLarge() const { return too_large_; }
 
+  /// By absolute path, each as it was when it was first opened or looked for.
+  const FileVersions& files() const { return files_; }
+
   bool Exists(const char* path) const override;
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* path, const char* mode) override;
@@ -34,6 +39,7 @@ class ConfinedFiles : public Assimp::IOSystem {
 
  private:
   int openForReading(const std::string& path) const;
+  int openAndNote(const std::string& path) const;
   bool mayBeRead(const char* path, const struct stat& status);
 
   std::string root_;
@@ -41,6 +47,8 @@ class ConfinedFiles : public Assimp::IOSystem {
   std::uint64_t max_bytes_;
   BytesHandler on_bytes_;
   std::string too_large_;
+  mutable FileVersions files_;   ///< Exists() is constant for assimp
+  mutable int ticks_left_ = 50;  ///< a second
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> bytes_;  ///< by device and inode
 };
 

@@ -192,31 +192,45 @@ TriangleMesh collectTriangles(const aiScene& scene) {
   return mesh;
 }
 
-}  // namespace
-
-TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
-                        const BytesHandler& on_bytes) {
+TriangleMesh read(const std::string& path, Assimp::Importer& importer, ConfinedFiles& files) {
   auto* const log = new LossLog;
   Assimp::DefaultLogger::set(log);  // which owns it
-  Assimp::Importer importer;
-  auto* files = new ConfinedFiles(file, max_bytes, on_bytes);
-  importer.SetIOHandler(files);
-  refuseMisread(*files, file.path);
+  refuseMisread(files, path);
   // Otherwise assimp adds a mesh that shows the nodes of a file without geometry.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const aiScene* scene = importer.ReadFile(file.path, 0);
+  const aiScene* scene = importer.ReadFile(path, 0);
   if (!scene || !scene->mRootNode) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    const std::string& too_large = files->tooLarge();
+    const std::string& too_large = files.tooLarge();
     if (too_large.empty())
-      throw MeshError("assimp cannot read it (" + reason + ")" + hintFor(importer, file.path));
+      throw MeshError("assimp cannot read it (" + reason + ")" + hintFor(importer, path));
     throw MeshError("assimp cannot read it (" + reason + "); " + too_large, MeshFault::kTooLarge);
   }
   checkIndices(*scene);
   if (!log->firstLoss().empty())
     throw MeshError("assimp found a fault in it (" + log->firstLoss() + ")");
   return welded(collectTriangles(*scene));
+}
+
+}  // namespace
+
+ImportedMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
+                        const BytesHandler& on_bytes) {
+  Assimp::Importer importer;
+  auto* const files = new ConfinedFiles(file, max_bytes, on_bytes);
+  importer.SetIOHandler(files);  // which owns it
+  const auto refuseChanged = [files] {
+    if (!areUnchanged(files->files())) throw MeshError(kChangedReason, MeshFault::kChanged);
+  };
+  try {
+    TriangleMesh mesh = read(file.path, importer, *files);
+    refuseChanged();
+    return {std::move(mesh), files->files()};
+  } catch (const MeshError& error) {
+    if (error.fault() == MeshFault::kFile) refuseChanged();
+    throw;
+  }
 }
 
 }  // namespace link_bounds

@@ -59,7 +59,7 @@ std::vector<std::string> commandLine(const std::string& worker, const MeshFile& 
   throw MeshError(std::string("the program that reads it died of it (") + strsignal(signal) + ")");
 }
 
-TriangleMesh replyOf(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+ImportedMesh replyOf(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
                      const CheckInterrupt& check_interrupt) {
   Pipe pipe;
   ChildProcess process(commandLine(worker, file, limits), pipe.writingEnd());
@@ -128,7 +128,7 @@ TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
   return importInTime(worker, file, limits, meshDeadline(limits, is_cancelled));
 }
 
-TriangleMesh importInTime(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+ImportedMesh importInTime(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
                           const CheckInterrupt& deadline) {
   deadline();
   try {

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace link_bounds {
 namespace {
 
 constexpr std::array<char, 8> kMagic{'L', 'B', 'M', 'E', 'S', 'H', '\r', '\n'};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::uint32_t kMesh = 0;
 constexpr std::uint32_t kFirstError = 1;
 constexpr std::uint32_t kLastError = kFirstError + static_cast<std::uint32_t>(kLastMeshFault);
@@ -24,8 +27,21 @@ struct Header {
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
   std::uint64_t text = 0;
+  std::uint64_t files = 0;
 };
-static_assert(sizeof(Header) == 40, "no padding");
+static_assert(sizeof(Header) == 48, "no padding");
+
+struct FileRecord {
+  std::uint64_t device;
+  std::uint64_t inode;
+  std::uint64_t size;
+  std::int64_t written_s;
+  std::int64_t written_ns;
+  std::int64_t changed_s;
+  std::int64_t changed_ns;
+  std::uint64_t path;  ///< bytes
+};
+static_assert(sizeof(FileRecord) == 64, "no padding");
 
 constexpr std::uint64_t kVertexBytes = sizeof(TriangleMesh::vertices[0]);
 constexpr std::uint64_t kTriangleBytes = sizeof(TriangleMesh::triangles[0]);
@@ -51,10 +67,15 @@ Header readHeader(const ByteSource& source) {
   return header;
 }
 
+[[noreturn]] void throwContradiction() {
+  throw ReplyError("the answer of the mesh reader contradicts itself");
+}
+
 void checkCounts(const Header& header, std::uint64_t max_bytes) {
   if (header.text != 0 || header.vertices == 0 || header.triangles == 0 ||
+      header.files > kMaxFilesBytes ||
       header.vertices > std::numeric_limits<std::uint32_t>::max()) {
-    throw ReplyError("the answer of the mesh reader contradicts itself");
+    throwContradiction();
   }
   // Compares each count first, so that the sum cannot overflow.
   if (header.vertices > max_bytes / kVertexBytes || header.triangles > max_bytes / kTriangleBytes ||
@@ -77,9 +98,47 @@ void checkContent(const TriangleMesh& mesh) {
   }
 }
 
+std::string listOf(const FileVersions& files) {
+  std::string list;
+  for (const auto& [path, version] : files) {
+    const FileRecord record{version.device,
+                            version.inode,
+                            version.size,
+                            version.written.tv_sec,
+                            version.written.tv_nsec,
+                            version.changed.tv_sec,
+                            version.changed.tv_nsec,
+                            path.size()};
+    list.append(reinterpret_cast<const char*>(&record), sizeof(record)).append(path);
+  }
+  return list;
+}
+
+/// In ascending order of their paths, as listOf() writes them.
+FileVersions filesIn(std::string_view list) {
+  FileVersions files;
+  while (!list.empty()) {
+    FileRecord record{};
+    if (list.size() < sizeof(record)) throwContradiction();
+    std::memcpy(&record, list.data(), sizeof(record));
+    list.remove_prefix(sizeof(record));
+    if (record.path > list.size()) throwContradiction();
+    std::string path(list.substr(0, record.path));
+    list.remove_prefix(record.path);
+    const bool is_path = !path.empty() && path[0] == '/' && path.find('\0') == path.npos;
+    if (!is_path || (!files.empty() && path <= files.rbegin()->first)) throwContradiction();
+    const timespec written{record.written_s, record.written_ns};
+    const timespec changed{record.changed_s, record.changed_ns};
+    const FileVersion version{record.device, record.inode, record.size, written, changed};
+    files.emplace_hint(files.end(), std::move(path), version);
+  }
+  return files;
+}
+
 [[noreturn]] void throwReason(const Header& header, const ByteSource& source) {
-  if (header.vertices != 0 || header.triangles != 0 || header.text > kMaxTextBytes) {
-    throw ReplyError("the answer of the mesh reader contradicts itself");
+  if (header.vertices != 0 || header.triangles != 0 || header.files != 0 ||
+      header.text > kMaxTextBytes) {
+    throwContradiction();
   }
   std::string reason(static_cast<std::size_t>(header.text), ' ');
   readAll(source, reason.data(), reason.size());
@@ -91,13 +150,21 @@ void checkContent(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void writeMeshReply(const TriangleMesh& mesh, const ByteSink& sink) {
+void writeMeshReply(const ImportedMesh& mesh, const ByteSink& sink) {
+  const std::string files = listOf(mesh.files);
+  if (files.size() > kMaxFilesBytes) {
+    throw MeshError("it names so many files that their list takes " + std::to_string(files.size()) +
+                    " bytes, more than the " + std::to_string(kMaxFilesBytes) +
+                    " that are allowed");
+  }
   Header header;
+  header.files = files.size();
   header.vertices = mesh.vertices.size();
   header.triangles = mesh.triangles.size();
   sink(&header, sizeof(header));
   sink(mesh.vertices.data(), mesh.vertices.size() * kVertexBytes);
   sink(mesh.triangles.data(), mesh.triangles.size() * kTriangleBytes);
+  sink(files.data(), files.size());
 }
 
 void writeErrorReply(const MeshError& error, const ByteSink& sink) {
@@ -109,7 +176,7 @@ void writeErrorReply(const MeshError& error, const ByteSink& sink) {
   sink(reason.data(), header.text);
 }
 
-TriangleMesh readMeshReply(const ByteSource& source, std::uint64_t max_bytes) {
+ImportedMesh readMeshReply(const ByteSource& source, std::uint64_t max_bytes) {
   const Header header = readHeader(source);
   if (header.status != kMesh) throwReason(header, source);
   checkCounts(header, max_bytes);
@@ -118,9 +185,11 @@ TriangleMesh readMeshReply(const ByteSource& source, std::uint64_t max_bytes) {
   mesh.triangles.resize(static_cast<std::size_t>(header.triangles));
   readAll(source, mesh.vertices.data(), mesh.vertices.size() * kVertexBytes);
   readAll(source, mesh.triangles.data(), mesh.triangles.size() * kTriangleBytes);
+  std::string files(static_cast<std::size_t>(header.files), ' ');
+  readAll(source, files.data(), files.size());
   checkEnd(source);
   checkContent(mesh);
-  return mesh;
+  return {std::move(mesh), filesIn(files)};
 }
 
 }  // namespace link_bounds

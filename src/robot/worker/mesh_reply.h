@@ -3,12 +3,15 @@
 /// What mesh_worker writes to its standard output: the triangles of a file, or why there are none.
 ///
 ///     magic      8 bytes     "LBMESH\r\n"
-///     version    uint32      2
+///     version    uint32      3
 ///     status     uint32      0: a mesh, 1 + MeshFault: an error
 ///     vertices   uint64      their number; 0 if an error
 ///     triangles  uint64      their number; 0 if an error
 ///     text       uint64      bytes of the reason; 0 if a mesh
-///     then 3 float32 per vertex (metres, frame of the file), 3 uint32 per triangle, the text
+///     files      uint64      bytes of the list of files; 0 if an error
+///     then 3 float32 per vertex (metres, frame of the file), 3 uint32 per triangle, the text, the
+///     list: per file that was opened or looked for its device, inode, size, st_mtim, st_ctim (each
+///     two int64: s, ns), and the bytes of its path, as uint64, and its absolute path
 ///
 /// Numbers are in the byte order of the machine, which both ends share.
 #pragma once
@@ -17,7 +20,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "link_bounds/geometry/mesh/triangle_mesh.h"
+#include "link_bounds/robot/mesh/imported_mesh.h"
 #include "link_bounds/robot/mesh/mesh_fault.h"
 
 namespace link_bounds {
@@ -34,14 +37,17 @@ class ReplyError : public MeshError {
   using MeshError::MeshError;
 };
 
-void writeMeshReply(const TriangleMesh& mesh, const ByteSink& sink);
+/// Throws MeshError if the mesh has so many files that their list is longer than kMaxFilesBytes.
+void writeMeshReply(const ImportedMesh& mesh, const ByteSink& sink);
 
 /// Cuts a reason of more than 4096 bytes.
 void writeErrorReply(const MeshError& error, const ByteSink& sink);
 
+constexpr std::uint64_t kMaxFilesBytes = 4 << 20;
+
 /// Checks everything: counts before memory is allocated for them, indices, coordinates, and that
 /// nothing follows. Throws MeshError with the reason and fault of an error reply, in printable
-/// ASCII. Throws ReplyError if the reply is malformed or the mesh takes more than `max_bytes`.
-TriangleMesh readMeshReply(const ByteSource& source, std::uint64_t max_bytes);
+/// ASCII. Throws ReplyError if the reply is malformed or the triangles take more than `max_bytes`.
+ImportedMesh readMeshReply(const ByteSource& source, std::uint64_t max_bytes);
 
 }  // namespace link_bounds

@@ -19,18 +19,32 @@ namespace fs = std::filesystem;
 
 constexpr int kSteps = 500;
 constexpr std::size_t kFiles = 5;
+constexpr std::size_t kParts = 3;
+constexpr char kPart[] = "part";  // then a digit
 
-/// Reads a file whose text is a number n as a triangle of size n; other text is an error.
-TriangleMesh triangleIn(const MeshFile& file) {
+/// The file that a mesh names; "" if it names none.
+std::string partOf(const MeshFile& file) {
+  std::string word;
+  std::ifstream(file.path) >> word;
+  return word.rfind(kPart, 0) == 0 ? (fs::path(file.path).parent_path() / word).string() : "";
+}
+
+/// Reads a file whose text is a number n as a triangle of size n. The number may be in another
+/// file, which it names; other text is an error.
+ImportedMesh triangleIn(const MeshFile& file) {
+  FileVersions files;
+  const std::string part = partOf(file);
+  if (!part.empty()) files[part] = fileVersion(part);
   float size = 0;
-  if (!(std::ifstream(file.path) >> size)) throw MeshError("it is no number");
-  return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}};
+  if (!(std::ifstream(part.empty() ? file.path : part) >> size)) throw MeshError("it is no number");
+  return {TriangleMesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}}, files};
 }
 
 /// What MeshStore promises for one file.
 struct Expectation {
   bool has_failed = false;  ///< since failures were forgotten
-  bool has_changed = true;  ///< since it was last imported
+  bool has_changed = true;  ///< it or its part, since it was last imported
+  std::string part;         ///< then
   std::weak_ptr<const PointSet> points;
 };
 
@@ -39,14 +53,18 @@ class Sequence {
   explicit Sequence(std::uint64_t seed) : random_(seed) {
     for (std::size_t i = 0; i < kFiles; ++i)
       files_.push_back({folder_.write(std::to_string(i), "1"), folder_.path().string()});
+    for (std::size_t i = 0; i < kParts; ++i)
+      parts_.push_back(folder_.write(kPart + std::to_string(i), "1"));
   }
 
   void run() {
     for (int step = 0; step < kSteps && !testing::Test::HasFailure(); ++step) {
       switch (below(6)) {
         case 0:
+          changeFile(files_[below(kFiles)].path, below(2) == 0);
+          break;
         case 1:
-          changeFile(files_[below(kFiles)]);
+          changeFile(parts_[below(kParts)], false);
           break;
         case 2:
           held_.clear();
@@ -67,31 +85,33 @@ class Sequence {
 
   std::string number() { return std::to_string(1 + below(9)); }
 
-  void changeFile(const MeshFile& file) {
-    expected_[file.path].has_changed = true;
-    const auto time = fs::exists(file.path) ? fs::last_write_time(file.path) : fs::file_time_type();
+  void changeFile(const std::string& path, bool names_part) {
+    for (auto& [mesh, file] : expected_)
+      file.has_changed = file.has_changed || mesh == path || file.part == path;
+    const std::string text = names_part ? kPart + std::to_string(below(kParts)) : number();
+    const auto time = fs::exists(path) ? fs::last_write_time(path) : fs::file_time_type();
     switch (below(6)) {
       case 0:
-        std::ofstream(file.path) << number();
+        std::ofstream(path) << text;
         return;
       case 1:
-        std::ofstream(file.path) << "broken";
+        std::ofstream(path) << "broken";
         return;
       case 2:
-        fs::remove(file.path);
+        fs::remove(path);
         return;
       case 3:  // touched
-        std::ofstream(file.path, std::ios::app).close();
-        fs::last_write_time(file.path, time + std::chrono::seconds(1));
+        std::ofstream(path, std::ios::app).close();
+        fs::last_write_time(path, time + std::chrono::seconds(1));
         return;
-      case 4:  // in place, as old and as large
-        std::ofstream(file.path) << number();
-        fs::last_write_time(file.path, time);
+      case 4:  // in place, as old
+        std::ofstream(path) << text;
+        fs::last_write_time(path, time);
         return;
-      default:  // replaced by one that is as old and as large
-        const std::string other = folder_.write("other", number());
+      default:  // replaced by one that is as old
+        const std::string other = folder_.write("other", text);
         fs::last_write_time(other, time);
-        fs::rename(other, file.path);
+        fs::rename(other, path);
     }
   }
 
@@ -151,11 +171,13 @@ class Sequence {
       now.points.reset();
     }
     now.has_changed = false;
+    now.part = partOf(file);
   }
 
   brute_force::Random random_;
   TemporaryFolder folder_;
   std::vector<MeshFile> files_;
+  std::vector<std::string> parts_;
   std::map<std::string, Expectation> expected_;  // by path
   std::vector<LoadedMesh> held_;
   std::atomic<int> imports_{0};

@@ -111,77 +111,59 @@ TEST_F(MeshStoreTest, NothingIsAskedOfAnEmptyList) {
   EXPECT_EQ(imports(), 0);
 }
 
-TEST_F(MeshStoreTest, AGltfIsReadAnewWhenAFileThatItNamesIsReplaced) {
-  const MeshFile binary = write("my data.bin", "old"), other = write("other.bin", "old");
-  for (const char* name : {R"("my data.bin")", R"("my%20data.bin")", R"(".\/my data.bin")",
-                           R"("my\u0020d\u0061ta.bin")"}) {
-    const std::string text = std::string(R"(1 {"uri": "data:;base64,AAAA"}, {"uri" : )") + name;
-    const MeshFile file = write("a.GLTF", text + "}");
-    const LoadedMesh first = loadWithTriangles(file);
-    const int before = imports();
-    EXPECT_EQ(loadOne(file).points, first.points);
-    replace(other, "new");
-    EXPECT_EQ(loadOne(file).points, first.points);
-    EXPECT_EQ(imports(), before);
-    replace(binary, std::string("new for ") + name);
-    EXPECT_NE(loadOne(file).points, first.points) << name;
-    EXPECT_EQ(imports(), before + 1);
-  }
-}
-
-/// With its JSON, as the binary kind of glTF; the rest of the file is a quotation mark.
-std::string binaryGltf(const std::string& json) {
-  std::string text = "glTF" + std::string(16, '\0') + json + '"';
-  text[12] = static_cast<char>(json.size());
-  return text;
-}
-
-/// assimp knows glTF by its content, too, and looks for a file that is not there beside the mesh.
-TEST_F(MeshStoreTest, AGltfIsReadAnewWhateverItsNameAndHoweverItNamesAFile) {
+TEST_F(MeshStoreTest, AMeshIsReadAnewWhenAFileThatItsReaderOpenedOrLookedForIsNew) {
+  const MeshFile file = write("a", "mesh"), named = write("b", "1"), other = write("c", "1");
+  const std::string missing = folder_ / "d";
   int reads = 0;
-  MeshStore store([&reads](const MeshFile&) {
+  MeshStore store([&](const MeshFile&) {
     ++reads;
-    return TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    FileVersions files;
+    for (const std::string& path : {named.path, missing})
+      files[path] = fileVersion(path);
+    return ImportedMesh(readTriangle(named), files);
   });
-  const MeshFile beside = write("a.bin", "old"), below = write("sub/a.bin", "old");
-  const MeshFile unnamed = write("b.bin", "old");
-  const std::string here = beside.path;
-  for (const auto& [uri, is_below] : std::map<std::string, bool>{{R"(C:\\x\\a.bin)", false},
-                                                                 {"/home/you/a.bin", false},
-                                                                 {"export/a.bin", false},
-                                                                 {"file://" + here, false},
-                                                                 {R"(sub\\a.bin)", true},
-                                                                 {"/sub/a.bin", true},
-                                                                 {"//sub/a.bin", true},
-                                                                 {R"(\\sub\\a.bin)", true},
-                                                                 {"%2Fsub%2Fa.bin", true}}) {
-    const std::string json = R"({"buffers": [{"uri": ")" + uri + R"("}]})";
-    const std::string many = R"({"images": [)" +
-                             [] {
-                               std::string images;
-                               for (int i = 0; i < 9000; ++i)
-                                 images += R"({"uri": "i.png"}, )";
-                               return images;
-                             }() +
-                             R"({"uri": ")" + uri + R"("}]})";
-    for (const auto& [name, text] :
-         std::map<std::string, std::string>{{"a.gltf", json},
-                                            {"none", std::string(4000, '\n') + json},
-                                            {"a.json", "\xEF\xBB\xBF" + json},
-                                            {"a.glb", binaryGltf(json)},
-                                            {"a", binaryGltf(json)},
-                                            {"many.gltf", many}}) {
-      const MeshFile file = write(name, text);
-      const LoadedMesh first = store.load({file}).at(0);
-      const int before = reads;
-      replace(unnamed, name + uri);
-      EXPECT_EQ(store.load({file}).at(0).points, first.points) << name;
-      EXPECT_EQ(reads, before) << name;
-      replace(is_below ? below : beside, name + uri);
-      EXPECT_NE(store.load({file}).at(0).points, first.points) << uri << " in " << name;
-      EXPECT_EQ(reads, before + 1) << uri << " in " << name;
-    }
-  }
+  LoadedMesh now = store.load({file}).at(0);
+  const auto expectRead = [&](bool is_read, const char* what) {
+    EXPECT_EQ(store.find(file) == nullptr, is_read) << what;
+    const int before = reads;
+    const LoadedMesh next = store.load({file}).at(0);
+    EXPECT_EQ(next.points != now.points, is_read) << what;
+    EXPECT_EQ(reads - before, is_read ? 1 : 0) << what;
+    now = next;
+  };
+  expectRead(false, "nothing happened");
+  replace(other, "2");
+  expectRead(false, "another file is new");
+  replace(named, "2");
+  expectRead(true, "a file that was opened is new");
+  EXPECT_EQ(sizeOf(now), 2);
+  std::ofstream(missing) << "1";
+  expectRead(true, "a file that was looked for is there");
+  std::filesystem::remove(missing);
+  expectRead(true, "it is gone");
+  std::filesystem::create_directory(missing);
+  expectRead(false, "a folder is no file");
+  std::ofstream(missing + "/e") << "1";
+  expectRead(false, "nor is what is in it");
+  std::filesystem::create_symlink(other.path, missing + "/link");
+  std::filesystem::remove(named.path);
+  std::filesystem::create_symlink(missing + "/link", named.path);
+  expectRead(true, "a link to a link to another file");
+  replace(other, "3");
+  expectRead(true, "the file behind the links is new");
+  EXPECT_EQ(sizeOf(now), 3);
+}
+
+TEST_F(MeshStoreTest, AFileThatChangesAfterItsReaderOpenedItIsRefused) {
+  const MeshFile file = write("a", "mesh"), named = write("b", "1");
+  MeshStore store([&](const MeshFile&) {
+    const FileVersions files{{named.path, fileVersion(named.path)}};
+    replace(named, "2");
+    return ImportedMesh(readTriangle(named), files);
+  });
+  const LoadedMesh mesh = store.load({file}).at(0);
+  EXPECT_FALSE(mesh.points);
+  EXPECT_EQ(mesh.error, "it changed while it was read; try again when it is complete");
 }
 
 TEST_F(MeshStoreTest, AFileOfAFarFutureIsReadOnceAndAnewWhenItIsRewritten) {

@@ -564,16 +564,6 @@ TEST_F(ImportRefusals, AFileOutsideItsOwnRoot) {
   EXPECT_THROW(importMesh({path, folder_ / "meshes"}), MeshError);
 }
 
-/// A glTF whose three vertices are in another file.
-std::string gltf(const std::string& buffer_uri) {
-  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
-         R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
-         R"("min":[0,0,0],"max":[1,2,3]}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
-         R"("buffers":[{"byteLength":36,"uri":")" +
-         buffer_uri + R"("}]})";
-}
-
 std::string threeVertices() {
   std::string result;
   for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) {

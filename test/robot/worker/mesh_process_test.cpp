@@ -90,7 +90,7 @@ class MeshProcess : public testing::Test {
 
 std::string goodReply() {
   std::string bytes;
-  writeMeshReply({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
+  writeMeshReply(TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
                  [&](const void* data, std::size_t count) {
                    bytes.append(static_cast<const char*>(data), count);
                  });

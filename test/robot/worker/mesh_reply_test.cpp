@@ -22,13 +22,15 @@ constexpr std::uint32_t kPastLast = 2 + static_cast<std::uint32_t>(kLastMeshFaul
 
 const TriangleMesh kMesh{{{0, 0, 0}, {1, 2, 3}, {-4, 5e-40f, 3e38f}}, {{0, 1, 2}, {2, 1, 0}}};
 
+const FileVersions kFiles{{"/a", {1, 2, 3, {4, 5}, {6, 7}}}, {"/b c", {}}};
+
 ByteSink appendTo(std::string& out) {
   return [&out](const void* bytes, std::size_t count) {
     out.append(static_cast<const char*>(bytes), count);
   };
 }
 
-std::string replyOf(const TriangleMesh& mesh) {
+std::string replyOf(const ImportedMesh& mesh) {
   std::string bytes;
   writeMeshReply(mesh, appendTo(bytes));
   return bytes;
@@ -43,13 +45,16 @@ std::string errorReply(const std::string& reason, MeshFault fault = MeshFault::k
 /// Bytes of the reply's head.
 enum Offset { kMagic = 0, kVersion = 8, kStatus = 12, kVertices = 16, kTriangles = 24, kText = 32 };
 
+constexpr std::size_t kFilesBytes = 40;  ///< of the reply's head, too
+constexpr std::size_t kPathBytes = 56;   ///< of an entry in the list of files
+
 template <class Value>
 std::string with(std::string reply, std::size_t offset, Value value) {
   std::memcpy(&reply[offset], &value, sizeof(value));
   return reply;
 }
 
-TriangleMesh read(const std::string& reply, std::uint64_t max_bytes = kMaxBytes) {
+ImportedMesh read(const std::string& reply, std::uint64_t max_bytes = kMaxBytes) {
   std::size_t next = 0;
   const auto source = [&](void* out, std::size_t wanted) {
     const std::size_t count = std::min(wanted, reply.size() - next);
@@ -77,10 +82,37 @@ std::string reasonIn(const std::string& reply) {
   return "no error";
 }
 
-TEST(MeshReply, AMeshComesBack) {
-  const TriangleMesh mesh = read(replyOf(kMesh));
-  EXPECT_EQ(mesh.vertices, kMesh.vertices);
-  EXPECT_EQ(mesh.triangles, kMesh.triangles);
+TEST(MeshReply, AMeshComesBackWithItsFiles) {
+  for (const FileVersions& files : {kFiles, FileVersions()}) {
+    const ImportedMesh mesh = read(replyOf({kMesh, files}));
+    EXPECT_EQ(mesh.vertices, kMesh.vertices);
+    EXPECT_EQ(mesh.triangles, kMesh.triangles);
+    EXPECT_EQ(mesh.files, files);
+  }
+}
+
+TEST(MeshReply, AListOfFilesThatContradictsItself) {
+  const std::string reply = replyOf({kMesh, kFiles});
+  const std::size_t first = reply.size() - 2 * 64 - 2 - 4;
+  expectBroken(with(reply, first + kPathBytes, std::uint64_t(1) << 40), "contradicts");
+  expectBroken(with(reply, first + kPathBytes, ~std::uint64_t(0)), "contradicts");
+  expectBroken(with(reply, first + kPathBytes, std::uint64_t(0)), "contradicts");
+  expectBroken(with(reply, first + 64, 'a'), "contradicts");         // no absolute path
+  expectBroken(with(reply, reply.size() - 1, '\0'), "contradicts");  // ends too early for open()
+  expectBroken(with(reply, first + 65, 'c'), "contradicts");         // not in order
+  const std::uint64_t much = kMaxFilesBytes + 1;
+  expectBroken(with(reply, kFilesBytes, much), "contradicts");
+  expectBroken(with(errorReply("reason"), kFilesBytes, std::uint64_t(1)), "contradicts");
+}
+
+TEST(MeshReply, AMeshOfVeryManyFilesIsRefused) {
+  FileVersions files;
+  for (int i = 0; i < 70000; ++i)
+    files["/" + std::to_string(i)];
+  EXPECT_NE(refusalOf<MeshError>([&] {
+              replyOf({kMesh, files});
+            }).find("so many files"),
+            std::string::npos);
 }
 
 TEST(MeshReply, AReasonComesBackAsAnOrdinaryError) {
@@ -110,7 +142,8 @@ TEST(MeshReply, OfALongReasonTheBeginning) {
 }
 
 TEST(MeshReply, EveryTruncationIsSeen) {
-  for (const std::string& reply : {replyOf(kMesh), errorReply("reason")}) {
+  for (const std::string& reply :
+       {replyOf(kMesh), replyOf({kMesh, kFiles}), errorReply("reason")}) {
     for (std::size_t size = 0; size < reply.size(); ++size)
       expectBroken(reply.substr(0, size), "ends early");
   }
@@ -118,12 +151,13 @@ TEST(MeshReply, EveryTruncationIsSeen) {
 
 TEST(MeshReply, NothingMayFollow) {
   expectBroken(replyOf(kMesh) + '\0', "does not end");
+  expectBroken(replyOf({kMesh, kFiles}) + '/', "does not end");
   expectBroken(errorReply("reason") + 'x', "does not end");
 }
 
 TEST(MeshReply, AnotherMagicVersionOrStatus) {
   expectBroken(with(replyOf(kMesh), kMagic, 'X'), "of this version");
-  expectBroken(with(replyOf(kMesh), kVersion, std::uint32_t(1)), "of this version");
+  expectBroken(with(replyOf(kMesh), kVersion, std::uint32_t(2)), "of this version");
   expectBroken(with(replyOf(kMesh), kStatus, kPastLast), "of this version");
   expectBroken(with(errorReply("reason"), kStatus, kPastLast), "of this version");
 }

@@ -3,8 +3,6 @@
 /// The points of mesh files; each file is read once and shared.
 #pragma once
 
-#include <time.h>
-
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -16,17 +14,19 @@
 #include "link_bounds/geometry/distance/body.h"
 #include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "link_bounds/geometry/support/point_set.h"
+#include "link_bounds/robot/mesh/imported_mesh.h"
 #include "link_bounds/robot/mesh/mesh_limits.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 
 namespace link_bounds {
 
 /// Reads a mesh file, in metres as rviz draws it. Throws MeshError. Called from several threads.
-/// The vertices of the mesh are finite, its indices are those of vertices, and it has triangles.
-using MeshImporter = std::function<TriangleMesh(const MeshFile& file)>;
+/// The vertices of the mesh are finite, its indices are those of vertices, and it has triangles. It
+/// may return a TriangleMesh where it opens no other file.
+using MeshImporter = std::function<ImportedMesh(const MeshFile& file)>;
 
 /// The same within limits; what `deadline` throws ends it.
-using TimedMeshImporter = std::function<TriangleMesh(const MeshFile& file, const MeshLimits& limits,
+using TimedMeshImporter = std::function<ImportedMesh(const MeshFile& file, const MeshLimits& limits,
                                                      const CheckInterrupt& deadline)>;
 
 /// Called after each file that was read, by one thread at a time.
@@ -48,10 +48,10 @@ enum class MeshContent { kPoints, kPointsAndTriangles, kPointsAndTree, kAll };
 /// A cache by real path, so that all links with the same mesh share its points, at any scale. It
 /// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
 /// are remembered until forgetFailures(); those of loads that began before are not. Dead entries
-/// are erased there, and where there are very many. load() reads a file again if it, or one that a
-/// glTF names, was replaced since, and refuses one that changes while it is read. Triangles and
-/// trees are not cached; if reading them fails, points in use stay in use. Any number of threads
-/// may use a store; what it returns is immutable.
+/// are erased there, and where there are very many. load() reads a file again if it, or another one
+/// that its importer opened or looked for, was replaced since, and refuses one that changes while
+/// it is read. Triangles and trees are not cached; if reading them fails, points in use stay in
+/// use. Any number of threads may use a store; what it returns is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
@@ -78,20 +78,9 @@ class MeshStore {
   void forgetFailures();
 
  private:
-  /// Differs whenever the file was written or replaced. cp -p and tar can restore an old `written`,
-  /// but only the kernel sets `changed`.
-  struct FileVersion {
-    std::uintmax_t device = 0;
-    std::uintmax_t inode = 0;
-    std::uintmax_t size = 0;
-    timespec written{};  ///< st_mtim
-    timespec changed{};  ///< st_ctim
-    bool operator==(const FileVersion& other) const;
-  };
-  /// Of a mesh file, and of those that it names if it is a `.gltf`.
-  using Version = std::vector<FileVersion>;
   struct Entry {
-    Version version;
+    /// The mesh file itself is one of them.
+    std::shared_ptr<const FileVersions> files;
     std::weak_ptr<const PointSet> points;
     std::string error;
   };
@@ -102,17 +91,13 @@ class MeshStore {
     std::uint64_t generation;
   };
 
-  static Version versionOf(const std::string& path);
-  static Version settledVersionOf(const std::string& path,
-                                  const std::function<bool()>& is_cancelled);
   LoadedMesh cached(const MeshFile& file) const;
-  LoadedMesh import(const MeshFile& file, const Version& version, const Request& request) const;
+  LoadedMesh import(const MeshFile& file, const Request& request, FileVersions& files) const;
   void addTree(const TriangleMesh& mesh, const Request& request, const CheckInterrupt& deadline,
                LoadedMesh& result) const;
   LoadedMesh failure(const char* reason, MeshFault fault) const noexcept;
   LoadedMesh importAndRemember(const MeshFile& file, const Request& request);
-  void remember(const MeshFile& file, const Version& version, const Request& request,
-                LoadedMesh& mesh);
+  void remember(const MeshFile& file, FileVersions files, const Request& request, LoadedMesh& mesh);
   std::uint64_t generation() const;
 
   TimedMeshImporter importer_;

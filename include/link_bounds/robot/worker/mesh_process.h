@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "link_bounds/robot/mesh/imported_mesh.h"
 #include "link_bounds/robot/mesh/mesh_limits.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 
@@ -23,8 +24,9 @@ TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
                              const MeshLimits& limits,
                              const std::function<bool()>& is_cancelled = nullptr);
 
-/// The same for a deadline that has begun before. It is called at least every 20 ms.
-TriangleMesh importInTime(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+/// The same for a deadline that has begun before. It is called at least every 20 ms. Also tells
+/// which files mesh_worker opened or looked for, by absolute path.
+ImportedMesh importInTime(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
                           const CheckInterrupt& deadline);
 
 }  // namespace link_bounds

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The triangles of a mesh file, and of which files they came.
+#pragma once
+
+#include <sys/stat.h>
+#include <time.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
+
+namespace link_bounds {
+
+/// Differs whenever a file was written or replaced. All 0: there is no regular file. cp -p and tar
+/// can restore an old `written`, but only the kernel sets `changed`.
+struct FileVersion {
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;
+  std::uint64_t size = 0;  ///< bytes
+  timespec written{};      ///< st_mtim
+  timespec changed{};      ///< st_ctim
+
+  bool operator==(const FileVersion& other) const;
+};
+
+FileVersion fileVersion(const struct stat& status);
+
+/// Follows symbolic links.
+FileVersion fileVersion(const std::string& path);
+
+/// Twice the longest tick of the kernel clock that sets the times of files (10 ms at 100 Hz). Two
+/// writes within one tick give the same version.
+constexpr std::chrono::milliseconds kFileTick(20);
+
+/// A tick has passed since the file changed, so that each later write gives another version.
+bool isSettled(const FileVersion& version);
+
+/// By path.
+using FileVersions = std::map<std::string, FileVersion>;
+
+/// True if all of them are as they were.
+bool areUnchanged(const FileVersions& files);
+
+struct ImportedMesh : TriangleMesh {
+  /// Without files: of a reader that opens none but the mesh itself.
+  ImportedMesh(TriangleMesh mesh, FileVersions its_files = {})  // NOLINT: readers may return a mesh
+      : TriangleMesh(std::move(mesh)), files(std::move(its_files)) {}
+
+  /// Which files the reader opened, or looked for in vain, and as what: buffers of a glTF,
+  /// materials of an OBJ, objects of a scene. The mesh itself need not be among them.
+  FileVersions files;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A mesh whose geometry is in other files, too, through mesh_worker: whichever of them is replaced,
+// appears or goes, the store notices it.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "link_bounds/robot/mesh/mesh_store.h"
+#include "link_bounds/robot/worker/mesh_process.h"
+#include "testing/mesh_texts.h"
+#include "testing/temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+/// Three vertices, one of them at (size, 0, 0).
+std::string threeCorners(float size) {
+  std::string bytes;
+  for (const float value : {0.0f, 0.0f, 0.0f, size, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f})
+    bytes += bytesOf(value);
+  return bytes;
+}
+
+/// The binary kind, without a chunk of data.
+std::string binaryGltf(std::string json) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto size = static_cast<std::uint32_t>(json.size());
+  return "glTF" + bytesOf(std::uint32_t(2)) + bytesOf(size + 20) + bytesOf(size) + "JSON" + json;
+}
+
+std::string triangleObj(float size) {
+  return "v 0 0 0\nv " + std::to_string(size) + " 0 0\nv 0 1 0\nf 1 2 3\n";
+}
+
+class FilesOfMeshes : public testing::Test {
+ protected:
+  LoadedMesh load(const std::string& name) {
+    return store_.load({{folder_ / name, folder_.path().string()}}).at(0);
+  }
+  bool isKnown(const std::string& name) const {
+    return store_.find({folder_ / name, folder_.path().string()}) != nullptr;
+  }
+
+  static double widthOf(const LoadedMesh& mesh) {
+    return mesh.points ? mesh.points->magnitude().maxCoeff() : 0;
+  }
+
+  TemporaryFolder folder_;
+  MeshStore store_{
+      [](const MeshFile& file, const MeshLimits& limits, const CheckInterrupt& deadline) {
+        return importInTime(meshWorker(), file, limits, deadline);
+      }};
+};
+
+/// How assimp understands a URI differs between its versions, but the store may not miss any.
+TEST_F(FilesOfMeshes, ABufferOfAGltfIsWatchedHoweverItIsNamed) {
+  int seen = 0;
+  for (const std::string& uri :
+       {std::string("a.bin"), std::string("my%20data.bin"), std::string(R"(.\/a.bin)"),
+        std::string(R"(my\u0020d\u0061ta.bin)"), std::string(R"(C:\\x\\a.bin)"),
+        std::string("/home/you/a.bin"), std::string("export/a.bin"),
+        "file://" + (folder_ / "a.bin"), std::string(R"(sub\\a.bin)"), std::string("/sub/a.bin"),
+        std::string("//sub/a.bin"), std::string("%2Fsub%2Fa.bin"), std::string("sub/../a.bin"),
+        folder_ / "a.bin"}) {
+    for (const auto& [name, text] : std::map<std::string, std::string>{
+             {"a.gltf", gltf(uri)}, {"b.GLTF", gltf(uri)}, {"c.glb", binaryGltf(gltf(uri))}}) {
+      for (const char* buffer : {"a.bin", "my data.bin", "sub/a.bin"})
+        folder_.write(buffer, threeCorners(2));
+      folder_.write(name, text);
+      store_.forgetFailures();
+      const LoadedMesh first = load(name);
+      if (!first.points) continue;
+      ASSERT_EQ(widthOf(first), 2) << uri << " in " << name;
+      EXPECT_TRUE(isKnown(name)) << uri << " in " << name;
+      ++seen;
+      for (const char* buffer : {"a.bin", "my data.bin", "sub/a.bin"})
+        folder_.write(buffer, threeCorners(3));
+      EXPECT_FALSE(isKnown(name)) << uri << " in " << name;
+      EXPECT_EQ(widthOf(load(name)), 3) << uri << " in " << name;
+    }
+  }
+  EXPECT_GE(seen, 12) << "plain names and escapes";
+}
+
+TEST_F(FilesOfMeshes, AFileThatTakesThePlaceOfAnotherIsNoticed) {
+  folder_.write("my data.bin", threeCorners(2));
+  folder_.write("a.gltf", gltf("my%20data.bin"));
+  const LoadedMesh first = load("a.gltf");
+  ASSERT_EQ(widthOf(first), 2) << first.error;
+  folder_.write("my%20data.bin", threeCorners(3));
+  EXPECT_FALSE(isKnown("a.gltf"));
+  const LoadedMesh second = load("a.gltf");
+  EXPECT_EQ(widthOf(second), 3);
+  std::filesystem::remove(folder_ / "my%20data.bin");
+  EXPECT_FALSE(isKnown("a.gltf"));
+  EXPECT_EQ(widthOf(load("a.gltf")), 2);
+}
+
+TEST_F(FilesOfMeshes, ObjectsOfASceneAreWatched) {
+  folder_.write("part.obj", triangleObj(2));
+  folder_.write("scene.lws", "LWSC\n3\n\nLoadObject part.obj\nShowObject 6 7\n");
+  const LoadedMesh first = load("scene.lws");
+  ASSERT_EQ(widthOf(first), 2) << first.error;
+  EXPECT_TRUE(isKnown("scene.lws"));
+  folder_.write("part.obj", triangleObj(3));
+  EXPECT_FALSE(isKnown("scene.lws"));
+  EXPECT_EQ(widthOf(load("scene.lws")), 3);
+}
+
+TEST_F(FilesOfMeshes, OtherFilesOfTheFolderAreNot) {
+  folder_.write("a.obj", "mtllib a.mtl\n" + triangleObj(2));
+  folder_.write("a.mtl", "newmtl m\n");
+  const LoadedMesh first = load("a.obj");
+  ASSERT_EQ(widthOf(first), 2) << first.error;
+  folder_.write("b.mtl", "newmtl m\n");
+  folder_.write("b.obj", triangleObj(3));
+  EXPECT_TRUE(isKnown("a.obj"));
+  EXPECT_EQ(load("a.obj").points, first.points);
+}
+
+}  // namespace
+}  // namespace link_bounds
