@@ -69,7 +69,9 @@ def files_of(package):
             if path.suffix not in ('.h', '.cpp') or folder in WITHOUT_RULES:
                 continue
             room = 'node' if folder in WHOLE_NODE else folder[len(root):].strip('/')
-            yield path, level_of(room)
+            # A room of src that is not listed would count as a part of the one around it.
+            is_unlisted = root == 'src' and room and room not in ROOMS
+            yield path, None if is_unlisted else level_of(room)
 
 
 def faults_of(path, level):

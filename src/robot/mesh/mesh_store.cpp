@@ -4,30 +4,16 @@
 #include "link_bounds/robot/mesh/mesh_store.h"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <mutex>
 #include <new>
-#include <thread>
 
 #include "robot/mesh/erase_dead.h"
+#include "robot/mesh/file_versions.h"
 #include "robot/threads/row_threads.h"
 
 namespace link_bounds {
 namespace {
-
-constexpr int kMaxTicks = 50;
-
-/// Waits until a tick has passed since the last write, so that every later write gives a new
-/// version; but for a second at most, if somebody goes on writing, and not once it is cancelled.
-FileVersion settledVersion(const std::string& path, const std::function<bool()>& is_cancelled) {
-  for (int ticks = 0;; ++ticks) {
-    const FileVersion version = fileVersion(path);
-    const bool is_over = ticks == kMaxTicks || (is_cancelled && is_cancelled());
-    if (is_over || isSettled(version)) return version;
-    std::this_thread::sleep_for(kFileTick);
-  }
-}
 
 bool hasTriangles(MeshContent content) {
   return content == MeshContent::kPointsAndTriangles || content == MeshContent::kAll;
@@ -119,7 +105,9 @@ LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcep
 }
 
 LoadedMesh MeshStore::importAndRemember(const MeshFile& file, const Request& request) {
-  FileVersions files{{file.path, settledVersion(file.path, request.is_cancelled)}};
+  int ticks_left = kMaxFileTicks;
+  const auto version = [&] { return fileVersion(file.path); };
+  FileVersions files{{file.path, settledVersion(version, ticks_left, request.is_cancelled)}};
   LoadedMesh mesh = import(file, request, files);
   remember(file, std::move(files), request, mesh);
   return mesh;

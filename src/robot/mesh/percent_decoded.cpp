@@ -5,13 +5,17 @@
 #include <cstddef>
 
 namespace link_bounds {
+namespace {
 
+/// -1 if it is none.
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;
   return -1;
 }
+
+}  // namespace
 
 std::string percentDecoded(const std::string& text) {
   std::string result;

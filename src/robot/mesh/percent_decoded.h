@@ -7,9 +7,6 @@
 
 namespace link_bounds {
 
-/// -1 if it is none.
-int hexDigit(char c);
-
 /// Keeps a percent sign that is not followed by two hexadecimal digits.
 std::string percentDecoded(const std::string& text);
 

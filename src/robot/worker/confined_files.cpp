@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
-#include <thread>
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "robot/mesh/percent_decoded.h"
@@ -75,22 +74,19 @@ int ConfinedFiles::openForReading(const std::string& path) const {
   return decoded == path ? descriptor : openAndNote(decoded);
 }
 
-/// Waits until a tick has passed since the last write, so that every later write gives a new
-/// version; but for a second at most in all, if somebody goes on writing. The version is older than
-/// the attempt to open the file where that fails.
+/// Where the file cannot be opened, its version is from before the attempt: a file that appears
+/// meanwhile is a new one.
 int ConfinedFiles::openAndNote(const std::string& path) const {
   std::error_code error;
   const std::string absolute = std::filesystem::absolute(path, error).string();
   if (absolute.empty()) return -1;
-  FileVersion version = fileVersion(absolute);
+  const FileVersion before = fileVersion(absolute);
   const int descriptor = open(absolute.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  struct stat status {};
-  while (descriptor >= 0 && fstat(descriptor, &status) == 0) {
-    version = fileVersion(status);
-    if (isSettled(version) || ticks_left_-- <= 0) break;
-    std::this_thread::sleep_for(kFileTick);
-  }
-  files_.emplace(absolute, version);
+  const auto version = [&] {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0 ? fileVersion(status) : FileVersion{};
+  };
+  files_.emplace(absolute, descriptor < 0 ? before : settledVersion(version, ticks_left_));
   return descriptor;
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "link_bounds/robot/mesh/imported_mesh.h"
+#include "robot/mesh/file_versions.h"
 #include "robot/worker/mesh_import.h"
 
 namespace link_bounds {
@@ -47,8 +47,8 @@ class ConfinedFiles : public Assimp::IOSystem {
   std::uint64_t max_bytes_;
   BytesHandler on_bytes_;
   std::string too_large_;
-  mutable FileVersions files_;   ///< Exists() is constant for assimp
-  mutable int ticks_left_ = 50;  ///< a second
+  mutable FileVersions files_;              ///< mutable, as assimp wants Exists() to be const
+  mutable int ticks_left_ = kMaxFileTicks;  ///< for all files together
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> bytes_;  ///< by device and inode
 };
 

@@ -3,11 +3,15 @@
 // A mesh whose geometry is in other files, too, through mesh_worker: whichever of them is replaced,
 // appears or goes, the store notices it.
 #include <gtest/gtest.h>
+#include <time.h>
 
+#include <atomic>
 #include <map>
+#include <thread>
 
 #include "link_bounds/robot/mesh/mesh_store.h"
 #include "link_bounds/robot/worker/mesh_process.h"
+#include "robot/worker/mesh_import.h"
 #include "testing/mesh_texts.h"
 #include "testing/temporary_folder.h"
 
@@ -117,6 +121,68 @@ TEST_F(FilesOfMeshes, OtherFilesOfTheFolderAreNot) {
   folder_.write("b.obj", triangleObj(3));
   EXPECT_TRUE(isKnown("a.obj"));
   EXPECT_EQ(load("a.obj").points, first.points);
+  folder_.write("a.mtl", "newmtl n\n");
+  EXPECT_FALSE(isKnown("a.obj")) << "its material is";
+}
+
+/// Calls `during` each time before a file is read.
+MeshFault faultOf(const MeshFile& file, const BytesHandler& during) {
+  try {
+    importMesh(file, MeshLimits().max_bytes, during);
+  } catch (const MeshError& error) {
+    return error.fault();
+  }
+  return kLastMeshFault;  // which the importer does not have
+}
+
+TEST_F(FilesOfMeshes, ABufferThatChangesAfterItWasOpenedIsRefused) {
+  folder_.write("a.bin", threeCorners(2));
+  const MeshFile file{folder_.write("a.gltf", gltf("a.bin")), folder_.path().string()};
+  EXPECT_EQ(faultOf(file, nullptr), kLastMeshFault);
+  const std::uint64_t alone = gltf("a.bin").size();
+  const auto rewriteOnceItIsOpen = [&](std::uint64_t bytes) {
+    if (bytes > alone) folder_.write("a.bin", threeCorners(3));
+  };
+  EXPECT_EQ(faultOf(file, rewriteOnceItIsOpen), MeshFault::kChanged);
+}
+
+/// Otherwise a second write within a tick would give the version that was read.
+TEST_F(FilesOfMeshes, ABufferIsReadWhenATickHasPassedSinceItWasWritten) {
+  const MeshFile file{folder_.write("a.gltf", gltf("a.bin")), folder_.path().string()};
+  const std::string buffer = folder_.write("a.bin", threeCorners(2));
+  const std::uint64_t alone = gltf("a.bin").size();
+  int checks = 0;
+  const auto checkAge = [&](std::uint64_t bytes) {
+    if (bytes == alone) folder_.write("a.bin", threeCorners(2));  // just before it is opened
+    if (bytes == alone || checks++ > 0) return;
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    const timespec written = fileVersion(buffer).changed;
+    const auto age = 1e9 * static_cast<double>(now.tv_sec - written.tv_sec) +
+                     static_cast<double>(now.tv_nsec - written.tv_nsec);
+    EXPECT_GT(age, 10e6) << "ns; the longest tick";
+  };
+  EXPECT_EQ(faultOf(file, checkAge), kLastMeshFault);
+  EXPECT_GE(checks, 1);
+}
+
+/// Also where the last write was just before it was opened, and has the same time as one before.
+TEST_F(FilesOfMeshes, ABufferThatSomebodyWritesWithoutEndIsRefused) {
+  const MeshFile file{folder_.write("a.gltf", gltf("a.bin")), folder_.path().string()};
+  const std::string buffer = folder_.write("a.bin", threeCorners(2));
+  const std::uint64_t alone = gltf("a.bin").size();
+  std::atomic<bool> is_over{false};
+  std::thread writer([&] {
+    while (!is_over)
+      std::ofstream(buffer, std::ios::in | std::ios::binary) << threeCorners(2);
+  });
+  const auto end = [&](std::uint64_t bytes) {
+    is_over = bytes > alone;
+    if (is_over && writer.joinable()) writer.join();
+  };
+  EXPECT_EQ(faultOf(file, end), MeshFault::kChanged);
+  end(alone + 1);
+  EXPECT_EQ(faultOf(file, nullptr), kLastMeshFault);
 }
 
 }  // namespace

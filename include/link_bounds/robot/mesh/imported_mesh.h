@@ -3,10 +3,8 @@
 /// The triangles of a mesh file, and of which files they came.
 #pragma once
 
-#include <sys/stat.h>
 #include <time.h>
 
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -28,23 +26,11 @@ struct FileVersion {
   bool operator==(const FileVersion& other) const;
 };
 
-FileVersion fileVersion(const struct stat& status);
-
 /// Follows symbolic links.
 FileVersion fileVersion(const std::string& path);
 
-/// Twice the longest tick of the kernel clock that sets the times of files (10 ms at 100 Hz). Two
-/// writes within one tick give the same version.
-constexpr std::chrono::milliseconds kFileTick(20);
-
-/// A tick has passed since the file changed, so that each later write gives another version.
-bool isSettled(const FileVersion& version);
-
 /// By path.
 using FileVersions = std::map<std::string, FileVersion>;
-
-/// True if all of them are as they were.
-bool areUnchanged(const FileVersions& files);
 
 struct ImportedMesh : TriangleMesh {
   /// Without files: of a reader that opens none but the mesh itself.

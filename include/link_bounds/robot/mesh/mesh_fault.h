@@ -25,8 +25,6 @@ enum class MeshFault {
 };
 constexpr MeshFault kLastMeshFault = MeshFault::kFileSystem;
 
-constexpr char kChangedReason[] = "it changed while it was read";
-
 /// what() is the reason, in words for the user, without the name of the file.
 class MeshError : public std::runtime_error {
  public:

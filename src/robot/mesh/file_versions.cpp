@@ -1,11 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "link_bounds/robot/mesh/imported_mesh.h"
+#include "robot/mesh/file_versions.h"
+
+#include <time.h>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace link_bounds {
 namespace {
+
+/// Twice the longest tick of the kernel clock that sets the times of files (10 ms at 100 Hz). Two
+/// writes within one tick give the same version.
+constexpr std::chrono::milliseconds kFileTick(20);
 
 bool areEqual(const timespec& a, const timespec& b) {
   return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
@@ -17,6 +25,11 @@ double secondsSince(const timespec& time) {
   clock_gettime(CLOCK_REALTIME, &now);
   return static_cast<double>(now.tv_sec) - static_cast<double>(time.tv_sec) +
          1e-9 * static_cast<double>(now.tv_nsec - time.tv_nsec);
+}
+
+bool isSettled(const FileVersion& version) {
+  const double age = secondsSince(version.changed);
+  return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
 }
 
 }  // namespace
@@ -37,9 +50,14 @@ FileVersion fileVersion(const std::string& path) {
   return stat(path.c_str(), &status) == 0 ? fileVersion(status) : FileVersion{};
 }
 
-bool isSettled(const FileVersion& version) {
-  const double age = secondsSince(version.changed);
-  return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
+FileVersion settledVersion(const std::function<FileVersion()>& version, int& ticks_left,
+                           const std::function<bool()>& is_cancelled) {
+  for (;; --ticks_left) {
+    const FileVersion now = version();
+    if (isSettled(now)) return now;
+    if (ticks_left <= 0 || (is_cancelled && is_cancelled())) return {};
+    std::this_thread::sleep_for(kFileTick);
+  }
 }
 
 bool areUnchanged(const FileVersions& files) {
