@@ -38,7 +38,7 @@ struct Request {
   MeshFile file;
 };
 
-/// For the user.
+/// How messages for the user name an element.
 std::string nameOf(Purpose purpose, std::size_t number, const std::string& uri) {
   return std::string(toText(purpose)) + " " + std::to_string(number) +
          (uri.empty() ? "" : " (" + uri + ")");
@@ -48,7 +48,7 @@ struct Draft {
   BoundedRobot robot;
   std::vector<Request> requests;
 
-  /// Adds a message to the robot's problems, and to what the link misses.
+  /// Adds a message to the robot's problems, and to `missing` of the link.
   void addProblem(BoundedLink& link, Purpose purpose, std::size_t number, const std::string& uri,
                   const std::string& reason) {
     const std::string what = nameOf(purpose, number, uri);
@@ -111,7 +111,7 @@ void addPoints(Draft& draft, const std::vector<LoadedMesh>& meshes) {
   }
 }
 
-/// Whether it is a mesh that failed to load, which would count as a point at its origin.
+/// True for a mesh that failed to load, which would count as a point at its origin.
 bool isEmpty(const Shape& shape) {
   return shape.solid == Solid::kNone && !shape.points;
 }
@@ -157,7 +157,7 @@ class LinkSplitter {
   explicit LinkSplitter(std::size_t max_parts) : max_parts_(max_parts) {}
 
   /// The parts of a link with its name and padding. `shapes` are those of the link. If memory does
-  /// not suffice, the link itself is its only part. What `check_interrupt` throws ends it.
+  /// not suffice, the link itself is its only part. An exception of `check_interrupt` is passed on.
   std::vector<BoundedLink> split(const BoundedLink& link, const std::vector<DivisibleShape>& shapes,
                                  const CheckInterrupt& check_interrupt) try {
     std::vector<BoundedLink> parts;
@@ -186,7 +186,7 @@ class LinkSplitter {
   }
 
   std::size_t max_parts_;
-  std::vector<SplitLink> known_;  ///< that were split before
+  std::vector<SplitLink> known_;  ///< links that were split before
 };
 
 /// To be called after dropEmptyShapes: the only part of a link that cannot be split is the link.
@@ -219,7 +219,7 @@ void addBodies(const std::vector<std::vector<LoadedShape>>& loaded, BoundedRobot
   }
 }
 
-/// One per mesh element that has points but no triangles.
+/// Adds a problem for each mesh element that has points but no triangles.
 void addBodyProblems(const Draft& draft, const std::vector<LoadedMesh>& meshes,
                      std::vector<std::string>& problems) {
   for (std::size_t i = 0; i < meshes.size(); ++i) {

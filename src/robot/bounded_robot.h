@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What RobotLoader::load does, with its store.
+// The work of RobotLoader::load, on its store.
 #pragma once
 
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace link_bounds {
 
-/// Selects links and loads their meshes by the store. Bad geometry makes its link incomplete.
+/// Selects links and loads their meshes through the store. Bad geometry makes its link incomplete.
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
                         MeshStore& store, const MeshRemedy& remedy);
 
 /// BoundedRobot::problems, then body_problems.
 std::vector<std::string> allProblems(const BoundedRobot& robot);
 
-/// For the user: names the selected links that have geometry of the other kind only; "" if there
-/// are none.
+/// A note for the user that names the selected links that have geometry of the other kind only; ""
+/// if there are none.
 std::string leftOutNote(const Robot& robot, const Selection& selection);
 
-/// For the user: why distances take the convex hull of a mesh; `error` is LoadedMesh::tree_error.
+/// The message for the user that distances take the convex hull of a mesh, and why; `error` is
+/// LoadedMesh::tree_error.
 std::string treeProblem(const std::string& path, const std::string& error);
 
 }  // namespace link_bounds

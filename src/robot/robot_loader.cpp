@@ -91,7 +91,7 @@ std::vector<LoadedMesh> RobotLoader::loadResolved(const std::vector<std::string>
   return results;
 }
 
-/// For the user. Reasons of resolveMeshUri contain their remedy.
+/// The error in words for the user. Reasons of resolveMeshUri contain their remedy.
 std::string RobotLoader::wording(const std::exception& error) const {
   if (dynamic_cast<const MeshError*>(&error)) return error.what();
   if (dynamic_cast<const std::bad_alloc*>(&error)) {

@@ -12,12 +12,12 @@ namespace link_bounds {
 /// Called again and again during long work; throws to end it. Null: the work is never ended.
 using CheckInterrupt = std::function<void()>;
 
-/// Calls a CheckInterrupt once in a while: it may read a clock and take a lock.
+/// Calls a CheckInterrupt only now and then, because it may read a clock and take a lock.
 class WorkMeter {
  public:
   explicit WorkMeter(CheckInterrupt check) : check_(std::move(check)) {}
 
-  /// `amount` is the number of points or triangles that are looked at next, some ns each.
+  /// `amount` is the number of points or triangles that the work looks at next; each takes some ns.
   void add(std::size_t amount) {
     sum_ += amount;
     if (sum_ < kAmountPerCheck) return;

@@ -29,7 +29,7 @@ struct Selection {
   bool triangles = false;                      ///< whether BoundedRobot::bodies are made
 };
 
-/// Of all links; "visual", "collision" or "both".
+/// Selects all links. `geometry` is "visual", "collision" or "both".
 inline Selection selectionOf(const std::string& geometry) {
   Selection selection;
   selection.visual = geometry != "collision";
@@ -37,10 +37,10 @@ inline Selection selectionOf(const std::string& geometry) {
   return selection;
 }
 
-/// Where mesh files are found, and what reading one may take.
+/// Where mesh files are found, and the limits of reading one.
 struct MeshSource {
   PackagePath package_path = {};  ///< null: there are no packages
-  std::string base_folder = {};   ///< of relative mesh names; "" = they are refused
+  std::string base_folder = {};   ///< for relative mesh names; "": these are refused
   LoadProgress progress = {};     ///< may be null
   MeshLimits limits = {};
   /// May be null. Called from several threads; true ends a load early.
@@ -49,7 +49,7 @@ struct MeshSource {
 
 struct BoundedRobot {
   std::vector<BoundedLink> links;     ///< selected and with geometry, in the order of the URDF
-  std::vector<std::size_t> indices;   ///< of each of `links` its index in Robot::links
+  std::vector<std::size_t> indices;   ///< for each of `links`: its index in Robot::links
   std::vector<std::string> problems;  ///< one per element that is not bounded: link, element,
                                       ///< file, reason, remedy
   std::map<std::string, std::shared_ptr<const PointSet>> meshes;     ///< those in use, by real path
@@ -58,20 +58,21 @@ struct BoundedRobot {
   /// The parts of each link, with its name, padding and missing geometry; none for a link without
   /// shapes. Empty if parts_per_link is 1.
   std::vector<std::vector<BoundedLink>> parts;
-  /// What distances are computed of: each of `links`, in its frame and without padding, with its
-  /// shapes in their order. All shapes of one mesh file share its triangles. Empty unless they were
-  /// selected.
+  /// The input of distances: a body for each of `links`, in its frame and without padding, with the
+  /// same shapes in the same order. All shapes of one mesh file share its triangles. Empty unless
+  /// Selection::triangles is set.
   std::vector<Body> bodies;
-  /// One per link that is not split although parts were selected: splitting it takes too long.
+  /// A message per link that is not split although parts were selected: splitting it takes too
+  /// long.
   std::vector<std::string> part_problems;
-  /// One per mesh element that `bodies` have without triangles, so that distances are those of its
-  /// convex hull: link, element, file, reason, remedy.
+  /// A message per mesh element that has no triangles in `bodies`, so that distances are those of
+  /// its convex hull: link, element, file, reason, remedy.
   std::vector<std::string> body_problems;
 };
 
 /// A mesh file as distances need it.
 struct LoadedTree {
-  /// Those that are in use, unless the file was replaced since; null if it cannot be read.
+  /// Points that are in use already, unless the file was replaced since; null if it cannot be read.
   std::shared_ptr<const PointSet> points;
   std::shared_ptr<const TriangleTree> triangles;  ///< null if it cannot be read or is too large
   std::string error;          ///< file, reason and remedy; "" if there are triangles
@@ -87,8 +88,8 @@ class RobotLoader {
   /// that cannot be used.
   explicit RobotLoader(MeshRemedy remedy = plainRemedy);
 
-  /// Mesh files are read by `importer`, which MeshSource::limits do not concern. What it returns is
-  /// checked.
+  /// Mesh files are read by `importer`. MeshSource::limits do not apply to it. Meshes that it
+  /// returns are checked.
   explicit RobotLoader(MeshImporter importer, MeshRemedy remedy = plainRemedy);
 
   RobotLoader(const RobotLoader&) = delete;
@@ -107,10 +108,11 @@ class RobotLoader {
   /// the number of files.
   std::vector<LoadedTree> loadTrees(const std::vector<std::string>& uris, const MeshSource& source);
 
-  /// The points of that mesh, if they are in use and its file is as it was read; else null.
+  /// The points of that mesh, if they are in use and its file has not changed since it was read;
+  /// else null.
   std::shared_ptr<const PointSet> find(const std::string& uri, const MeshSource& source) const;
 
-  /// Until then, files that could not be read are not read again.
+  /// Files that could not be read are not read again until this call.
   void forgetFailures() { store_.forgetFailures(); }
 
  private:

@@ -13,19 +13,21 @@ namespace {
 
 constexpr std::size_t kCellsPerByte = 4;
 
-/// Where the surface crosses a cell, each of its points must be nearer than the padding for the
-/// cell to be decided: its diagonal must be shorter. Half the padding is so for a cube.
+/// A cell that the surface crosses is decided as a whole only if all its points are nearer than the
+/// padding, so its diagonal must be shorter. A cube with half the padding as its edge satisfies
+/// that.
 constexpr double kCellsPerPadding = 2;
 
-/// More cells along the longest edge only take memory; fewer leave too much to decide.
+/// More cells along the longest edge only take memory; with fewer, too many points need their
+/// distance computed.
 constexpr double kMaxCellsPerEdge = 128;
 constexpr double kMinCellsPerEdge = 16;
 
-/// A point near the border of two cells may be looked up in either one, because rounding decides:
-/// every block is larger by this part.
+/// Rounding decides in which of two adjacent cells a point near their border is looked up, so every
+/// block is enlarged by this fraction.
 constexpr double kBlockPad = 1e-6;
 
-/// Cells of a region whose rays may pass too close to an edge.
+/// Max number of cells of a region that cast rays, since rays may pass too close to an edge.
 constexpr std::size_t kMaxTries = 16;
 
 }  // namespace
@@ -88,8 +90,9 @@ void BodyGrid::build(const CheckInterrupt& check_interrupt) {
   if (surface_.hasInside()) findSides(check_interrupt);
 }
 
-/// Nothing if the block must be divided. A ball holds the block. If no point of the surface is in
-/// the ball, all points of the block are on one side of it.
+/// The class of all points of the block; nothing if the block must be divided. Uses a ball around
+/// the block: if no point of the surface is in the ball, all points of the block are on the same
+/// side of the surface.
 std::optional<BodyGrid::Cell> BodyGrid::classOf(const Block& block, BodySurface::Hint& hint) const {
   Eigen::Vector3d center, half;
   bool is_single = true;
@@ -122,8 +125,8 @@ void BodyGrid::fill(const Block& block, Cell cell) {
   }
 }
 
-/// No surface crosses a cell of the first and third class, so neighbours among them are on one
-/// side: one ray per region decides.
+/// No surface crosses a cell of class kClear or kByDistance, so neighbours of these classes are on
+/// the same side: one ray decides for a region of them.
 void BodyGrid::findSides(const CheckInterrupt& check_interrupt) {
   std::vector<bool> is_seen(cells(), false);
   for (std::size_t i = 0; i < cells(); ++i) {
@@ -136,7 +139,7 @@ void BodyGrid::findSides(const CheckInterrupt& check_interrupt) {
   }
 }
 
-/// All cells that are on one side with this one, which is the first.
+/// All cells that are connected with this one without crossing the surface; this one comes first.
 std::vector<std::size_t> BodyGrid::regionAt(std::size_t index, std::vector<bool>& is_seen) const {
   std::vector<std::size_t> region{index};
   is_seen[index] = true;
@@ -157,7 +160,7 @@ std::vector<std::size_t> BodyGrid::regionAt(std::size_t index, std::vector<bool>
   return region;
 }
 
-/// What no ray of several cells decides counts as inside.
+/// If the rays from several cells are all unsure, the region counts as inside.
 bool BodyGrid::isInside(const std::vector<std::size_t>& region) const {
   for (std::size_t i = 0; i < std::min(region.size(), kMaxTries); ++i) {
     if (const auto is_inside = surface_.contains(centerOf(region[i]))) return *is_inside;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether points belong to a body, answered for nearly all of them by one look into a grid.
+// Tells whether a point belongs to a body. For nearly all points, one look into a grid is enough.
 //
-// The grid covers the body's box with the padding. Each cell is of one class, which holds for all
-// its points: they surely belong to the body, surely do not, or each is decided by its distance.
+// The grid covers the body's box with the padding. The class of a cell holds for all its points:
+// all surely belong to the body, none does, or each point is decided by its distance.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,24 @@
 
 namespace link_bounds {
 
-/// What belongs to a body.
+/// Which points belong to a body.
 struct GridOptions {
-  double padding = 0;                  ///< points up to so far from the surface [m], >= 0
-  double max_slack = 0;                ///< the largest slack that isBody() may get [m], >= 0
-  std::size_t max_bytes = 256 * 1024;  ///< of the cells
+  double padding = 0;    ///< max distance from the surface of a point that belongs [m], >= 0
+  double max_slack = 0;  ///< max `slack` of isBody() [m], >= 0
+  std::size_t max_bytes = 256 * 1024;  ///< max memory of the cells
 };
 
 /// Immutable, so any number of threads may use it.
 class BodyGrid {
  public:
-  /// A body without a finite box has no points. What `check_interrupt` throws ends it.
+  /// If the body has no finite box, no point belongs to it. An exception of `check_interrupt` is
+  /// passed on.
   BodyGrid(BodySurface surface, const GridOptions& options,
            const CheckInterrupt& check_interrupt = nullptr);
 
-  /// True for a point of the body's frame that is inside, or at most padding + slack from the
-  /// surface; `slack` is an error of the point [m], from 0 to max_slack. Exact but for the bounds
-  /// of BodySurface::distance(): what they leave open belongs to the body. What is not finite does
-  /// not.
+  /// True if the point, in the body's frame, is inside or at most padding + slack from the surface.
+  /// `slack` is the max error of the point [m], from 0 to max_slack. A point that the bounds of
+  /// BodySurface::distance() leave open belongs to the body; a point that is not finite does not.
   bool isBody(const Eigen::Vector3d& point, double slack = 0) const {
     const Eigen::Vector3d place = (point - origin_) * per_cell_;
     if (!(place.minCoeff() >= 0)) return false;
@@ -44,26 +44,27 @@ class BodyGrid {
 
   const BodySurface& surface() const { return surface_; }
 
-  /// Outside it no point belongs to the body, whatever the slack.
+  /// No point outside this box belongs to the body, whatever the slack.
   const Aabb& box() const { return box_; }
 
-  /// False if a shape belongs to no point, because its coordinates are too large or not finite.
+  /// False if a shape is left out, because its coordinates are too large or not finite.
   bool isWhole() const { return surface_.isWhole() && box_.isEmpty() == surface_.box().isEmpty(); }
 
   /// Bytes of the cells.
   std::size_t bytes() const { return cells_.size(); }
 
-  /// How many cells there are.
   std::size_t cells() const { return counts_[0] * counts_[1] * counts_[2]; }
 
  private:
   enum class Cell : std::uint8_t {
-    kClear,  ///< until findSides(): or inside, far from the surface
+    kClear,  ///< outside, far from the surface; before findSides() maybe inside
     kBody,
-    kByDistance,  ///< points beyond the padding are outside; until findSides(): or all inside
-    kByDistanceAndSide,  ///< the surface crosses the cell: they may also be inside
+    kByDistance,  ///< a point belongs if it is near enough; before findSides(), the cell may be
+                  ///< inside
+    kByDistanceAndSide,  ///< the surface may cross the cell: a point belongs if it is near enough
+                         ///< or inside
   };
-  /// Cells from `begin` to before `end`.
+  /// The cells from `begin` up to `end`, without those at `end`.
   struct Block {
     std::array<std::size_t, 3> begin, end;
   };
@@ -98,8 +99,8 @@ class BodyGrid {
   double cell_ = 1;  ///< edge of a cell [m]
   double per_cell_ = 1;
   std::array<std::size_t, 3> counts_{{0, 0, 0}};
-  Eigen::Vector3d end_ = Eigen::Vector3d::Zero();  ///< counts_ as numbers
-  std::vector<std::uint8_t> cells_;                ///< four in a byte, x first
+  Eigen::Vector3d end_ = Eigen::Vector3d::Zero();  ///< counts_ as doubles
+  std::vector<std::uint8_t> cells_;                ///< four cells per byte; x varies fastest
 };
 
 }  // namespace link_bounds

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The search in a mesh goes into the nearer child first, and leaves out what cannot be nearer.
+// The search in a mesh goes into the nearer child first, and skips nodes that cannot hold a nearer
+// point.
 #include "geometry/cloud/body_surface.h"
 
 #include <algorithm>
@@ -13,8 +14,8 @@
 namespace link_bounds {
 namespace {
 
-/// Of a computed distance, relative to the largest coordinate: less than 50 operations, each wrong
-/// by 1.2e-16.
+/// Max error of a computed distance, relative to the largest coordinate: less than 50 operations,
+/// each wrong by 1.2e-16.
 constexpr double kRounding = 1e-14;
 
 constexpr double kSolidAccuracy = 5e-7;  // m
@@ -25,8 +26,9 @@ constexpr int kMaxSolidSteps = 10000;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A lower bound of the distance of the point from the box: how far the plane across the way to the
-/// nearest point of the box is from the box. It holds for edges that are not quite orthogonal, too.
+/// A lower bound of the distance of the point from the box: the gap between both along the line
+/// from the nearest point of the box to the point. It also holds if the edges are not quite
+/// orthogonal.
 double distanceOf(const TreeNode& node, const Eigen::Vector3d& point) {
   const Eigen::Vector3d from = point - node.center().cast<double>();
   Eigen::Vector3d rest = from;
@@ -78,7 +80,8 @@ Eigen::Vector3d nearestOnTriangle(const Triangle& t, const Eigen::Vector3d& poin
   return best;
 }
 
-/// The plane through the nearest point, across the way to it, has the triangle behind it.
+/// The lower bound is the gap along the line from `nearest` to the point. It holds even if rounding
+/// has moved `nearest`.
 PointDistance distanceOf(const Triangle& triangle, const Eigen::Vector3d& point,
                          const Eigen::Vector3d& nearest) {
   const Eigen::Vector3d way = point - nearest;
@@ -128,7 +131,7 @@ class PointSearch {
     return true;
   }
 
-  /// The nearest triangle that look() saw, if one is nearer than the bound it began with.
+  /// The nearest triangle that look() saw; 0 if none is nearer than the upper bound at the start.
   std::uint32_t nearest() const { return nearest_; }
   const Eigen::Vector3d& place() const { return place_; }
 
@@ -245,7 +248,8 @@ bool BodySurface::crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to
          crossesSolid(from, to);
 }
 
-/// Each step is as long as the distance from the solids, so it misses none that is thick enough.
+/// Each step is as long as the distance from the solids, but at least kSolidStep, so it misses a
+/// solid only where less than that of the segment is inside.
 bool BodySurface::crossesSolid(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
   if (solids_.shapes.empty()) return false;
   const Eigen::Vector3d way = to - from;

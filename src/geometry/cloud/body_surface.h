@@ -12,7 +12,7 @@
 
 namespace link_bounds {
 
-/// [m]
+/// Two bounds of the distance of a point from a body [m].
 struct PointDistance {
   double lower;  ///< proven: no point of the body is nearer
   double upper;  ///< proven: a point of the body is at most so far away
@@ -20,35 +20,35 @@ struct PointDistance {
 
 /// The point of a body that is the nearest one to another point.
 struct SurfacePoint {
-  PointDistance distance;  ///< `upper` is that of `on_body`
+  PointDistance distance;  ///< `upper` is the distance of `on_body`
   Eigen::Vector3d on_body;
-  bool is_of_mesh;  ///< on a triangle, not a solid or a convex hull
+  bool is_of_mesh;  ///< `on_body` is on a triangle, not on a solid or a convex hull
 };
 
 /// A body in its own frame. Meshes are surfaces; solids, and meshes without triangles as their
 /// convex hulls, are filled. Immutable, so any number of threads may use it.
 class BodySurface {
  public:
-  /// The triangle of each mesh that was the nearest to a point.
+  /// For each mesh, the triangle that was nearest to the last point.
   using Hint = std::vector<std::uint32_t>;
 
-  /// What `check_interrupt` throws ends it.
+  /// An exception of `check_interrupt` is passed on.
   explicit BodySurface(const Body& body, const CheckInterrupt& check_interrupt = nullptr);
 
   /// The bounds differ by less than 1e-6 m for solids and by rounding for triangles. Distances
   /// beyond `limit` need not be known: `lower` is then at least `limit`, and `upper` may be
-  /// infinite. Once `upper` is at most `near`, the search ends, and `lower` may be 0. A `hint` that
-  /// is kept from a point nearby makes it faster.
+  /// infinite. Once `upper` is at most `near`, the search ends, and `lower` may be 0. A `hint` from
+  /// a call for a nearby point makes the search faster.
   PointDistance distance(const Eigen::Vector3d& point,
                          double limit = std::numeric_limits<double>::infinity(), double near = -1,
                          Hint* hint = nullptr) const;
 
-  /// The body must have a shape.
+  /// The nearest point of the body, which must have a shape.
   SurfacePoint nearest(const Eigen::Vector3d& point) const;
 
   /// True if the segment surely goes through the inside of a triangle, or comes within a micrometre
-  /// of a solid. Convex hulls of meshes without triangles prove nothing. A solid may be missed
-  /// where the segment is less than half a millimetre in it.
+  /// of a solid. Convex hulls of meshes without triangles prove nothing. A solid may be missed if
+  /// less than half a millimetre of the segment is inside it.
   bool crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   /// True for a point inside a closed part of a mesh; see MeshInside. Nothing if that is not sure.
@@ -58,7 +58,7 @@ class BodySurface {
   /// Whether contains() can be true.
   bool hasInside() const;
 
-  /// Around all shapes.
+  /// The box of all shapes, in the frame of the body.
   const Aabb& box() const { return box_; }
 
   /// False if a shape is left out, because its coordinates are too large or not finite.
@@ -76,7 +76,7 @@ class BodySurface {
   void addMesh(const BodyShape& shape, const CheckInterrupt& check_interrupt);
   bool crossesSolid(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
-  Body solids_;  ///< all that has no triangles, or triangles that a solid sweeps
+  Body solids_;  ///< shapes without triangles, or with triangles that a solid sweeps
   std::vector<Mesh> meshes_;
   Aabb box_;
   bool is_whole_ = true;

@@ -17,7 +17,8 @@ constexpr std::uint32_t kOpen = static_cast<std::uint32_t>(-1);
 /// operations, each wrong by 1.2e-16.
 constexpr double kProductError = 1e-14;
 
-/// No axis of a CAD model, and no two in one plane with one.
+/// Directions of rays. None is a typical axis of a CAD model, and no two of them lie in one plane
+/// with such an axis.
 const std::array<Eigen::Vector3d, 8> kDirections{{{0.5773, 0.3917, 0.7164},
                                                   {-0.6121, 0.4409, 0.6565},
                                                   {0.2297, -0.8821, 0.4113},
@@ -63,8 +64,9 @@ std::vector<Corners> inOrder(std::vector<Corners> triangles) {
   return triangles;
 }
 
-/// How often each triangle is there, of which the vertices are in order: at the first one of equal
-/// ones, 0 at the others. 0 also for one that is a line or a point, which no ray crosses.
+/// How often each triangle occurs; the vertices of each must be sorted. The count is at the first
+/// of equal triangles, 0 at the others. It is 0 also for a triangle that is a line or a point,
+/// which no ray crosses.
 std::vector<std::uint32_t> copiesOf(const std::vector<Corners>& triangles) {
   std::vector<std::uint32_t> order(triangles.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -84,13 +86,13 @@ std::vector<std::uint32_t> copiesOf(const std::vector<Corners>& triangles) {
 /// An edge of a triangle, with the smaller vertex first.
 struct Edge {
   std::uint32_t first, second, triangle;
-  int way;  ///< 1 or -1: whether the triangle has them in that order
+  int way;  ///< 1 if the triangle has its vertices in that order, else -1
   bool operator<(const Edge& other) const {
     return std::tie(first, second) < std::tie(other.first, other.second);
   }
 };
 
-/// The edges of the triangles that have copies, sorted.
+/// The edges of all triangles whose count in `copies` is not 0, sorted.
 std::vector<Edge> sortedEdges(const std::vector<Corners>& triangles,
                               const std::vector<std::uint32_t>& copies) {
   std::vector<Edge> edges;
@@ -106,7 +108,7 @@ std::vector<Edge> sortedEdges(const std::vector<Corners>& triangles,
   return edges;
 }
 
-/// Sets of triangles that are joined again and again.
+/// Disjoint sets of triangles (union-find).
 class Parts {
  public:
   explicit Parts(std::size_t triangles) : parents_(triangles) {
@@ -223,8 +225,8 @@ bool MeshInside::cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direct
   });
 }
 
-/// All triangles whose boxes the ray may hit, until `visit` returns false, which then is the
-/// result.
+/// Calls `visit` for all triangles in leaves whose boxes the ray may hit. Ends with false as soon
+/// as `visit` returns false.
 template <class Visit>
 bool MeshInside::visitAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                             const Visit& visit) const {
@@ -247,7 +249,8 @@ bool MeshInside::visitAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& 
   return true;
 }
 
-/// The ray passes on one side of all three edges, and the plane lies ahead.
+/// The ray crosses the triangle if it passes all three edges on the same side and the plane of the
+/// triangle lies ahead.
 MeshInside::Crossing MeshInside::cross(std::size_t triangle, const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& direction) const {
   Triangle corners = tree_.corners(triangle);

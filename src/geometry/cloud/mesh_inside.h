@@ -3,15 +3,17 @@
 // Whether a point is inside a mesh.
 //
 // Triangles that share an edge belong to one part; vertices of equal coordinates are one. A part is
-// closed if an even number of its triangles meets at each edge. Then any ray from a point that
-// passes through no edge crosses the part an even or an odd number of times, whatever its
-// direction: odd is inside. A part that is not closed has no inside. Two solids that share an edge
-// are one part: if all its triangles have the same side outside, what the part winds around is
-// inside, too, so also what both have in common.
+// closed if an even number of its triangles meets at each edge. Then the number of times that a ray
+// from a point crosses the part is odd if the point is inside, else even, whatever the direction,
+// as long as the ray passes through no edge. A part that is not closed has no inside. Two solids
+// that share an edge are one part. If the triangles of a part are oriented consistently, a point
+// with a winding number other than 0 is inside, too, so that the overlap of the two solids is
+// inside.
 //
-// A triangle may be there twice: as the wall between two boxes, of which no ray needs to know, or
-// because an exporter wrote each face for both of its sides. So triangles of which there is an even
-// number are left out; if nothing closed is left then, each counts once.
+// A triangle may occur twice: as the wall between two boxes, which no ray needs to count, or
+// because an exporter wrote each face once per side. So triangles that occur an even number of
+// times are left out. If the others of a part do not form a closed surface, each triangle counts
+// once instead.
 #pragma once
 
 #include <optional>
@@ -23,18 +25,18 @@ namespace link_bounds {
 
 class MeshInside {
  public:
-  /// The tree must live as long, and no solid may sweep its triangles.
+  /// `tree` must outlive this object, and no solid may sweep its triangles.
   explicit MeshInside(const TriangleTree& tree);
 
   bool hasInside() const { return has_inside_; }
 
-  /// True if the point is inside a closed part: so a cavity that a closed shell surrounds is
-  /// inside. A ray that passes too close to an edge to be sure is replaced by another one; nothing
-  /// if all are.
+  /// True if the point is inside a closed part. A cavity that a closed shell surrounds is inside. A
+  /// ray that passes too close to an edge to be sure is replaced by another one; nothing if all
+  /// rays do.
   std::optional<bool> contains(const Eigen::Vector3d& point) const;
 
-  /// True if the segment surely goes through a triangle, also one of an open part: not through its
-  /// edge, and neither end is on it.
+  /// True if the segment surely goes through the interior of a triangle, also of an open part. A
+  /// segment through an edge, or with an end on the triangle, does not count.
   bool crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
  private:
@@ -46,7 +48,7 @@ class MeshInside {
     int side;  ///< 1 or -1
   };
 
-  /// Appends the triangles of closed parts that the ray crosses; false if one of them is unsure.
+  /// Appends the triangles of closed parts that the ray crosses; false if one crossing is unsure.
   bool cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
             std::vector<Crossed>& crossed) const;
   template <class Visit>
@@ -59,8 +61,8 @@ class MeshInside {
                  const Eigen::Vector3d& direction) const;
 
   const TriangleTree& tree_;
-  std::vector<std::uint32_t> parts_;  ///< by triangle; kOpen: of no closed part, or left out
-  std::vector<bool> is_oriented_;     ///< by part: its triangles agree on what is inside
+  std::vector<std::uint32_t> parts_;  ///< by triangle; kOpen: in no closed part, or left out
+  std::vector<bool> is_oriented_;     ///< by part: its triangles are oriented consistently
   bool has_inside_ = false;
 };
 

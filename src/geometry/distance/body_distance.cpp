@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each pair of shapes, nearest boxes first, by boxes, then hulls, then triangles, each level only
-// where the one before it leaves the distance open.
+// Searches each pair of shapes, nearest boxes first: by boxes, then hulls, then triangles. A level
+// is searched only if the one before it leaves the distance open.
 #include "link_bounds/geometry/distance/body_distance.h"
 
 #include <algorithm>
@@ -15,10 +15,12 @@
 namespace link_bounds {
 namespace {
 
-/// Searches of the hulls of robots end within ten steps; this ends one that rounding keeps alive.
+/// Searches of the hulls of robots end within ten steps; this ends a search that rounding keeps
+/// from converging.
 constexpr int kHullSteps = 100;
 
-/// Then the bounds of a memory begin again: four bytes keep a micrometre up to here [m].
+/// After so much motion [m], the bounds of a memory are dropped and proven anew: up to here a float
+/// resolves a micrometre.
 constexpr double kFarthestMove = 4;
 
 /// The share of the accuracy that hulls use; the rest is for the triangles.
@@ -32,7 +34,7 @@ bool isConvex(const BodyShape& shape) {
   return !shape.shape.points || shape.shape.points->size() == 1;
 }
 
-/// Each of its points is known.
+/// All points of the shape are known, not only its convex hull.
 bool isKnown(const BodyShape& shape) {
   return shape.triangles || isConvex(shape);
 }
@@ -42,14 +44,15 @@ bool isKnown(const BodyShape& shape) {
   return !shape.triangles || holdsPoint(*shape.triangles, point);
 }
 
-/// From the first box to the second.
+/// Unit, from the first box to the second; zero if no axis separates them.
 Eigen::Vector3d boxNormal(const Aabb& first, const Aabb& second) {
   const Eigen::Vector3d gap =
       (second.min() - first.max()).cwiseMax(0.0) - (first.min() - second.max()).cwiseMax(0.0);
   return gap.stableNormalized();
 }
 
-/// The boxes are rounded outward, but to the product of the two poses as computed.
+/// A lower bound by the boxes. These are rounded outward, but computed from the rounded product of
+/// two poses, so `rounding` is subtracted.
 double boxLower(const Aabb& a, const Aabb& b, double rounding) {
   return std::max(0.0, signedDistance(a, b) * (1 - 8 * kUnitRoundoff) - rounding);
 }
@@ -144,7 +147,7 @@ class HullSearch {
     double lower = do_boxes_decide ? candidate.lower : by_hulls;
     const Eigen::Vector3d normal = do_boxes_decide ? boxNormalOf(candidate) : hulls.normal;
     DistanceLevel level = do_boxes_decide ? DistanceLevel::kBox : DistanceLevel::kHull;
-    // Where nothing separates the hulls, these decide that.
+    // Nothing separates the hulls, so it is the hull level that decides.
     if (!(lower > 0)) level = DistanceLevel::kHull;
     TreeMemory trees = is_remembered ? std::move(memory_.trees) : TreeMemory();
     const bool are_convex = isConvex(pair.first) && isConvex(pair.second);
@@ -172,8 +175,8 @@ class HullSearch {
     }
   }
 
-  /// A direction to begin with. What separates the nearest shapes so far often separates others,
-  /// too.
+  /// A direction to begin with. The normal that separates the nearest shapes so far often separates
+  /// others, too.
   Eigen::Vector3d startOf(const Candidate& pair) const {
     return normal_.squaredNorm() > 0 ? normal_ : betweenBoxes(pair);
   }
@@ -195,7 +198,8 @@ class HullSearch {
     }
   }
 
-  /// Of shapes that are their own hulls the nearest points, of others the vertices of the simplex.
+  /// Offers a witness: for two convex shapes their nearest points, otherwise the nearest vertices
+  /// of the simplex.
   void offer(const Simplex& simplex, const ShapePair& pair, bool are_convex) {
     if (are_convex && simplex.size() > 0) {
       pair.improve(witness_, pair.first_at.toSearch(simplex.first()),
@@ -230,7 +234,7 @@ class HullSearch {
     nearest_ = pair;
   }
 
-  /// Where boxes decided, no point is known yet.
+  /// Takes any points of the nearest pair: where boxes decided, no point is known yet.
   void takeAnyPoints() {
     const ShapePair pair = shapePair(nearest_);
     const Eigen::Vector3d normal = startOf(nearest_);
@@ -255,7 +259,7 @@ class HullSearch {
 
   const PlacedBody& first_;
   const PlacedBody& second_;
-  DistanceGoal goal_;  ///< at the limit itself a distance is not yet too large
+  DistanceGoal goal_;  ///< its limit is slightly raised, so that a distance equal to it is searched
   PairMemory& memory_;
   SearchRoom& room_;
   const Approach& motion_;
@@ -268,8 +272,8 @@ class HullSearch {
   Candidate nearest_{0, 0, 0};
 };
 
-/// What the memory has proven shrinks with the motion since the last call. A front that is dropped
-/// begins again at 0.
+/// Adds the motion since the last call to the memory, which lowers its proven bounds. If that
+/// motion is unknown or their sum is too large, drops the front and starts again at 0.
 Approach aged(PairMemory& memory, const std::optional<RelativeMotion>& latest) {
   const double moved_then = memory.moved;
   if (latest) memory.moved = (moved_then + latest->approach) * (1 + 4 * kUnitRoundoff);
@@ -279,7 +283,7 @@ Approach aged(PairMemory& memory, const std::optional<RelativeMotion>& latest) {
   return {0, 0, latest};
 }
 
-/// Both orders of two bodies are searched in the same one, so that rounding is the same.
+/// Fixes the order of two bodies, so that rounding is the same whichever the caller names first.
 bool comesFirst(const PlacedBody& a, const PlacedBody& b) {
   using Key = std::array<double, 12>;
   const auto key = [](const PlacedBody& body) {

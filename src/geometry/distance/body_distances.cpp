@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Places a body once per pose, and only where a search needs it. Keeps one memory per pair, with a
-// lease on what was found last. search() alone renews both, so that they are of the same poses;
-// where it throws, there is no lease, without which the next search trusts no bound of the memory.
-// Both end with the bodies, and where the pair is searched at a pose that is not rigid.
+// Places a body once per pose, and only if a search needs it. Keeps a memory per pair, and a lease
+// on its last result. Only search() renews them, so both are of the same poses. If it throws, the
+// pair has no lease, and the next search trusts no bound of the memory. Both end when a body is
+// replaced. A search at a pose that is not rigid ends the lease and the bounds of the memory.
 #include "link_bounds/geometry/distance/body_distances.h"
 
 #include <unordered_map>
@@ -16,7 +16,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kLargestBallDefect = 3e-14;  // that of poses of tf is below 1e-14
+constexpr double kLargestBallDefect = 3e-14;  // the defect of poses of tf is below 1e-14
 
 }  // namespace
 
@@ -25,7 +25,7 @@ class BodyDistances::Memories {
   explicit Memories(const DistanceGoal& its_goal) : goal(its_goal) {}
 
   void set(std::size_t index, std::shared_ptr<const Body> body) {
-    Slot slot;  // what throws does so before anything changes
+    Slot slot;  // everything that may throw comes before the first change
     slot.body = std::move(body);
     slot.with_cores = withCores(slot.body);
     if (slot.body) slot.ball = ballOf(*slot.with_cores);
@@ -116,12 +116,12 @@ class BodyDistances::Memories {
     std::optional<Ball> ball;
     std::optional<Eigen::Affine3d> pose;
     std::optional<RigidBody> rigid;  ///< at this pose
-    std::uint64_t version = 0;       ///< of the body in this form; nothing else ever has it
+    std::uint64_t version = 0;       ///< unique to this body in this form
     std::uint64_t pose_version = 0;
     mutable std::optional<PlacedBody> its_placed;
     mutable bool is_placed = false;
 
-    /// At other poses a ball is none, or not so exactly one that distances are as accurate.
+    /// True if a ball is still a ball at this pose, so exactly that distances lose no accuracy.
     bool usesCores() const { return rigid && rigid->defect <= kLargestBallDefect; }
 
     /// Nothing without a usable pose.
@@ -138,10 +138,10 @@ class BodyDistances::Memories {
     PairMemory memory;
     std::uint64_t first_version = 0;
     std::uint64_t second_version = 0;
-    std::uint64_t round = 0;  ///< in which it was asked for
+    std::uint64_t round = 0;  ///< the last one in which the pair was asked for
     std::optional<Lease> lease;
-    BodyDistance last{};           ///< what was said last
-    std::uint64_t first_pose = 0;  ///< the version of the pose of which it said that
+    BodyDistance last{};           ///< the last result
+    std::uint64_t first_pose = 0;  ///< version of the pose of the first body in `last`
     std::uint64_t second_pose = 0;
 
     bool isOf(const Slot& first, const Slot& second) const {
@@ -149,7 +149,7 @@ class BodyDistances::Memories {
     }
   };
 
-  static_assert(sizeof(Pair) < 1000);  // body_distances.h says so
+  static_assert(sizeof(Pair) < 1000);  // as body_distances.h promises
 
   static std::uint64_t keyOf(std::size_t first, std::size_t second) {
     return std::uint64_t{first} << 32 | std::uint64_t{second};
@@ -167,8 +167,8 @@ class BodyDistances::Memories {
     return pair.lease->motion(*now, *a.rigid, *b.rigid);
   }
 
-  /// Searches, and begins a lease on what is found if both poses are rigid. Ends what is known of
-  /// bodies that were replaced. `motion` is motionOf() the same pair.
+  /// Searches, and begins a lease on what is found if both poses are rigid. Forgets all of a pair
+  /// with a body that was replaced. `motion` is motionOf() this pair.
   void search(Pair& pair, const Slot& a, const Slot& b, const std::optional<PosePair>& now,
               const std::optional<RelativeMotion>& motion) const {
     if (!pair.isOf(a, b)) {
@@ -190,7 +190,7 @@ class BodyDistances::Memories {
     pair.second_pose = b.pose_version;
   }
 
-  /// Whether `last` of the pair is of the poses of now.
+  /// Whether `pair.last` is the result for the current poses.
   static bool isLastOf(const Pair& pair, const Slot& a, const Slot& b) {
     return pair.isOf(a, b) && pair.first_pose == a.pose_version &&
            pair.second_pose == b.pose_version;
@@ -211,7 +211,7 @@ class BodyDistances::Memories {
   std::vector<Slot> slots_;
   std::unordered_map<std::uint64_t, Pair> pairs_;  ///< by both indices
   std::uint64_t last_version_ = 0;
-  std::uint64_t round_ = 0;  ///< ends with forgetUnused()
+  std::uint64_t round_ = 0;  ///< a round ends with forgetUnused()
   mutable SearchRoom room_;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The end of the cylinder's axis is computed with an error of at most 8u of the largest coordinate,
-// and the centre of its ball may be as far from there. Of the axes M of a shape, the entries of
-// M'M - 1 are at most 32u, so M changes a length by at most 48u of it. So no point of the three
-// shapes is farther than 64u from the segment of the two centres that a ball sweeps, and the other
-// way round.
+// and the centre of its ball may be as far from there. Let M be the axes of a shape: no entry of
+// M'M - 1 exceeds 32u, so M changes a length by at most 48u of it. So no point of the three shapes
+// is farther than 64u from the capsule between the two centres, and no point of the capsule is
+// farther than that from the shapes.
 #include "geometry/distance/capsules.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ bool isRoundCylinder(const BodyShape& body_shape) {
          size.z() > 0;
 }
 
-/// Turns and shifts the shape, but for rounding.
+/// True for a rotation with a translation, up to rounding.
 bool isRigid(const Eigen::Affine3d& pose) {
   const Eigen::Matrix3d axes = pose.linear();
   return ((axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().array() <=
@@ -46,7 +46,7 @@ bool isRigid(const Eigen::Affine3d& pose) {
       .all();
 }
 
-/// A ball with that diameter there.
+/// True for a ball with that diameter and, up to rounding, its centre at `place`.
 bool isBallAt(const BodyShape& body_shape, double diameter, const Eigen::Vector3d& place) {
   if (!isBall(body_shape) || body_shape.shape.size.x() != diameter) return false;
   const Eigen::Affine3d& pose = body_shape.shape.link_from_shape;
@@ -68,7 +68,7 @@ BodyShape capsule(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double dia
   return result;
 }
 
-/// Puts the capsule of that cylinder in its place and takes its balls out, if it has two.
+/// If the cylinder at `index` has a ball at each end, replaces the three shapes by a capsule.
 bool merge(std::vector<BodyShape>& shapes, std::size_t index) {
   const Shape& cylinder = shapes[index].shape;
   if (!isRoundCylinder(shapes[index]) || !isRigid(cylinder.link_from_shape)) return false;

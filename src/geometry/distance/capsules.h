@@ -9,14 +9,14 @@
 
 namespace link_bounds {
 
-/// The same body for searches at rigid poses. One shape, a segment that a ball sweeps, stands for
-/// each cylinder and two balls that are a capsule together. Each ball and each capsule has as its
-/// triangles the centre or the segment alone: its tree has no solid. The bodies may differ by 64u
-/// of the largest coordinate of the shapes, where u = 2^-53. The body itself if it has no ball, or
+/// The same body for searches at rigid poses. Each cylinder and two balls that form a capsule
+/// become one shape: a segment that a ball sweeps. Each ball and each capsule has as its triangles
+/// the centre or the segment alone: its tree has no solid. The bodies may differ by 64u of the
+/// largest coordinate of the shapes, where u = 2^-53. Returns the body itself if it has no ball, or
 /// more than 64 shapes.
 std::shared_ptr<const Body> withCores(std::shared_ptr<const Body> body);
 
-/// Made by withCores().
+/// True for a ball or capsule whose triangles are its centre or segment, as withCores() makes them.
 bool hasCore(const BodyShape& shape);
 
 }  // namespace link_bounds

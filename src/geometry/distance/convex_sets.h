@@ -12,7 +12,7 @@
 
 namespace link_bounds {
 
-/// Shorter vectors have no direction, because their squares vanish.
+/// Shorter vectors have no direction, because their squares underflow.
 constexpr double kShortest = 1e-140;
 
 /// Where a shape is during a search: in the axes of the world, from an origin near both bodies, so
@@ -30,14 +30,14 @@ struct Placement {
   }
 };
 
-/// Zero for Solid::kNone.
+/// The farthest point of a solid along a direction; zero for Solid::kNone.
 Eigen::Vector3d farthestOf(Solid solid, const Eigen::Vector3d& size,
                            const Eigen::Vector3d& direction);
 
 /// The convex hull of a shape.
 struct ShapeHull {
   const BodyShape& body_shape;
-  bool is_core = false;  ///< of the points alone, which the solid sweeps
+  bool is_core = false;  ///< the hull of the points alone, without the solid that sweeps them
 
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
     const Shape& shape = body_shape.shape;

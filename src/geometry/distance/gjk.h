@@ -22,22 +22,24 @@ struct GjkResult {
   /// How far the sets are apart along `normal`, without any pad against rounding; 0 if no direction
   /// that was tried separates them.
   double lower = 0;
-  double upper = std::numeric_limits<double>::infinity();  ///< of the simplex's nearest point
+  double upper = std::numeric_limits<double>::infinity();  ///< distance of the simplex from the
+                                                           ///< origin
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the first set to the second
 };
 
-/// A step that does not bring the simplex nearer by this part has met the limit of rounding: it
+/// A step that does not bring the simplex nearer by this fraction has met the limit of rounding: it
 /// stalls.
 constexpr double kMinProgress = 1e-13;
 
-/// Near contact such a step still turns the normal: the distance changes by the square of the turn
-/// only. Of random bodies that nearly touch, all need at most 6 for 1e-8 of their size.
+/// Max number of stalls. Near contact, a step that stalls still turns the normal, because the
+/// distance changes only by the square of the turn. Random bodies that nearly touch need at most 6
+/// stalls for 1e-8 of their size.
 constexpr int kMaxStalls = 10;
 
 /// Every direction that the iteration tries bounds the distance from below, whatever becomes of the
 /// iteration: the sets cannot be nearer than their supports along that direction are. The best
 /// bound counts. Begins with the points of `simplex`; if it has none, with the direction
-/// `first_to_second`. Leaves the nearest simplex, which is reduced.
+/// `first_to_second`. On return, `simplex` is the nearest one, reduced to the points that it needs.
 template <class First, class Second>
 GjkResult gjk(const First& first, const Placement& first_at, const Second& second,
               const Placement& second_at, const Eigen::Vector3d& first_to_second,
@@ -50,10 +52,10 @@ GjkResult gjk(const First& first, const Placement& first_at, const Second& secon
     nearest = found.point;
     result.upper = nearest.norm();
   }
-  Simplex best;  // while the simplex is a worse one
+  Simplex best;  // the nearest simplex so far, if the current one is farther
   bool is_worse = false;
   int stalls = 0;
-  // Four points around the origin: the sets meet, but for rounding.
+  // A simplex of four points surrounds the origin: the sets intersect, up to rounding.
   for (int step = 0; step < goal.max_steps && simplex.size() < 4; ++step) {
     const double length = nearest.norm();
     if (!(length > kShortest)) break;

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A vertex is left out if GJK finds a point of the hull of those that are listed so near to it that
-// both may count as the same. Such a point is a combination of vertices, whatever GJK does, so what
-// is left out is within that distance of the hull. If there is none, the vertex that is farthest in
-// the direction that GJK ends with is listed. A node lists only what one of its children lists, so
-// what was left out below counts as well: kHullPad is twice what all may come to, which covers
-// rounding.
+// A vertex is left out if GJK finds a point near enough to it in the hull of the listed vertices.
+// That point is a combination of vertices, whatever GJK does, so the vertex is within that distance
+// of the hull. Otherwise the vertex that is farthest in the direction where GJK ended is listed. A
+// node lists only vertices that a child of it lists, so the distances of all levels add up:
+// kHullPad is twice the max of their sum, which covers rounding.
 #include "geometry/distance/hull_vertices.h"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ constexpr double kAllowed = kHullPad / 2;
 
 constexpr int kHullSteps = 30;
 
-/// What looks of a WorkMeter a vertex costs for each that is listed.
+/// Cost of comparing a vertex with one listed vertex, see WorkMeter.
 constexpr std::size_t kLooksPerPair = 4;
 
 /// `at` gives the point of an index.
@@ -85,8 +84,8 @@ class HullLists {
     listed_.clear();
   }
 
-  /// Divides the offsets into those that are listed and others, which it removes. Returns how far
-  /// one of these may be outside.
+  /// Lists the vertices that the hull needs and removes the other offsets. Returns the max distance
+  /// of a removed vertex from the hull [m].
   double choose(double allowed) {
     double farthest_out = 0;
     for (int i = 0; i < 27; ++i) {
@@ -102,7 +101,8 @@ class HullLists {
         offsets_[next] = offsets_.back();
         offsets_.pop_back();
       } else {
-        // A listed one, where only rounding separates them.
+        // If only rounding separates them, farthest() may find a listed vertex; then `next` is
+        // listed.
         list(result.lower > 0 ? std::max(next, farthest(-result.normal)) : next);
       }
     }
@@ -138,10 +138,11 @@ class HullLists {
 
   TriangleTree& tree_;
   WorkMeter& meter_;
-  std::vector<double> allowed_;  ///< for what a node still may leave out
+  std::vector<double> allowed_;  ///< by node: how far outside the hull a vertex that is left out
+                                 ///< may be [m]
   const Eigen::Vector3d* vertices_ = nullptr;
-  std::vector<Offset> offsets_;          ///< first of those that are listed
-  std::vector<Eigen::Vector3d> listed_;  ///< the vertices
+  std::vector<Offset> offsets_;          ///< the listed ones first
+  std::vector<Eigen::Vector3d> listed_;  ///< positions of the listed vertices
 };
 
 }  // namespace

@@ -13,10 +13,10 @@
 // two sums, a root, a quotient and a product. Thus
 //   gap (1 - 2^-19) - 2^-19 S,  that is gap (1 - 32 v) - 32 v S,
 // is no more than the distance along n / |n|; what is left covers the terms of second order. So n
-// need not be normal to its triangle, where that is too thin: the triangle's own corners count as
-// those of the others do. kFloatUnderflow covers the digits that tiny floats lose. What doubles
-// round is as much as in a search, of which `rounding` is a bound (placed_body.cpp), and less than
-// that once more for the two centres.
+// need not be exactly normal to its triangle, for example if that is thin: the gap counts the
+// corners of both triangles. kFloatUnderflow covers the digits that tiny floats lose. `rounding`
+// bounds the rounding of doubles in a search (placed_body.cpp); that of the two centres adds less
+// than as much again.
 #include "geometry/distance/leaf.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr double kShare = 1 - 0x1p-19;
 
 constexpr double kFloatUnderflow = 1e-34;  // m
 
-/// Max of lengths and scales: squares of areas stay finite.
+/// Max length [m] and scale: squares of areas stay finite in floats.
 constexpr double kLargestLeaf = 1e8;
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
@@ -47,7 +47,7 @@ PlacedLeaf::Vectors turned(const Eigen::Matrix3f& by, const PlacedLeaf::Vectors&
   return {v.dot(by.row(0)), v.dot(by.row(1)), v.dot(by.row(2))};
 }
 
-/// Zero where there is none.
+/// Zero for a triangle without a normal.
 PlacedLeaf::Vectors unitNormals(const std::array<PlacedLeaf::Vectors, 3>& corners) {
   const PlacedLeaf::Vectors a = difference(corners[1], corners[0]);
   const PlacedLeaf::Vectors b = difference(corners[2], corners[0]);
@@ -60,7 +60,8 @@ PlacedLeaf::Vectors unitNormals(const std::array<PlacedLeaf::Vectors, 3>& corner
   return {across.x * inverse, across.y * inverse, across.z * inverse};
 }
 
-/// Infinite where there is no triangle, so that nothing is open.
+/// Minus infinity in the first `count` lanes; infinity in the others, which have no triangle, so
+/// that these are never open.
 Eigen::Map<const Lanes> lanesBeyond(std::uint32_t count) {
   static constexpr std::size_t kLanes = kTrianglesPerLeaf;
   static const Eigen::Array<float, 2 * kLanes, 1> kBoth =
@@ -149,7 +150,7 @@ void LeafGaps::raiseAcrossSecond(std::uint32_t j) {
 }
 
 void LeafGaps::setFarEnough(double far_enough) {
-  // Rounded up, so that lower() is as much when nothing is open.
+  // Rounded up, so that lower() is at least `far_enough` if no pair is open.
   enough_ = static_cast<float>(std::min((far_enough + pad_) * (1 + 0x1p-18), 1e30));
 }
 

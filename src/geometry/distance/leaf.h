@@ -8,7 +8,7 @@
 
 namespace link_bounds {
 
-/// In the coordinates of a search.
+/// The corners of a triangle, in the coordinates of a search.
 inline Triangle placed(const TriangleTree& tree, std::uint32_t triangle, const Placement& at) {
   Triangle corners = tree.corners(triangle);
   for (Eigen::Vector3d& corner : corners)
@@ -39,18 +39,18 @@ struct PlacedLeaf {
     return corners[0].dot(d).min(corners[1].dot(d)).min(corners[2].dot(d));
   }
 
-  std::uint32_t first = 0;  ///< triangle
+  std::uint32_t first = 0;  ///< index of the first triangle
   std::uint32_t count = 0;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of the node's box
-  /// No coordinate of a corner, seen from the centre, is larger. Infinite where floats might
-  /// overflow: then what follows is not known.
+  /// Max |coordinate| of a corner, relative to the centre [m]. Infinite if floats might overflow;
+  /// then the members below are not set.
   double size = 0;
-  std::array<Vectors, 3> corners;  ///< from the centre
+  std::array<Vectors, 3> corners;  ///< relative to the centre
   Vectors normals;                 ///< of the planes; unit, or zero
   Lanes low, high;                 ///< of each triangle along its own normal, from the centre
 };
 
-/// The pairs of triangles of two leaves, which must live as long.
+/// The pairs of triangles of two leaves, which must outlive this object.
 class LeafGaps {
  public:
   /// Looks along a unit direction. `rounding` bounds the error of a distance in doubles.
@@ -64,14 +64,14 @@ class LeafGaps {
   /// Looks at triangle j of the second leaf and all of the first, across the plane of j.
   void raiseAcrossSecond(std::uint32_t j);
 
-  /// Such a pair is not open.
+  /// Pairs with at least this proven distance [m] are not open.
   void setFarEnough(double far_enough);
   bool isOpen(std::uint32_t i) const { return !(gaps_.col(i).minCoeff() >= enough_); }
   bool isOpen(std::uint32_t i, std::uint32_t j) const { return !(gaps_(j, i) >= enough_); }
-  /// The caller knows this pair better.
+  /// Takes the pair out, because the caller has its distance.
   void close(std::uint32_t i, std::uint32_t j);
 
-  /// How far all pairs are proven to be apart, but for those that are closed.
+  /// Proven lower bound of the distance of all pairs that are not closed [m].
   double lower() const;
 
  private:
@@ -81,7 +81,7 @@ class LeafGaps {
   double pad_;
   bool is_small_;
   float enough_ = 0;
-  Eigen::Array<float, kTrianglesPerLeaf, kTrianglesPerLeaf> gaps_;  ///< the largest so far, (j, i)
+  Eigen::Array<float, kTrianglesPerLeaf, kTrianglesPerLeaf> gaps_;  ///< largest so far, (j, i)
 };
 
 }  // namespace link_bounds

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Why a carried bound is proven. A point p of one body is at A p + a, a point q of the other one at
-// B q + b, with |A'A - 1| <= e of A and as much of B, so that |A v| and |A'v| are |v| to within
-// e |v|. With M = A'B and m = A'(b - a), the vector v between the two points has
+// B q + b, with |A'A - 1| <= e and |B'B - 1| <= e, so that |A v| and |A'v| are |v| to within e |v|.
+// With M = A'B and m = A'(b - a), the vector v between the two points has
 //   A'v = M q + m - p, but for e |p|.
 // From one pair of poses to another one, the right side changes by
 //   (M1 - M0) q + m1 - m0,  which is at most  |(M1 - M0) c + m1 - m0| + |M1 - M0| r
-// for all q within r of c. So |v| of no two points shrinks by more than that, the motion of one
-// body as the other one sees it. What moves both together costs nothing. M differs from a rotation
-// by the two e, and the difference of two rotations stretches no vector by more than its Frobenius
-// norm over sqrt(2), which is the chord of the angle between them.
+// for all q within r of c. So the distance |v| of two points never shrinks by more than that, the
+// motion of one body as seen from the other. A common motion of both costs nothing. M differs from
+// a rotation by the two e, and the difference of two rotations stretches no vector by more than its
+// Frobenius norm over sqrt(2), which is the chord of the angle between them.
 //
-// Let D be the sum of the four e, each at least 64u, and S the sum of how far both bodies reach and
-// of the offsets of their origins, then and now. No length above exceeds 4 S. The e cost
+// Let D be the sum of the four e, each at least 64u, and S the sum of Ball::farthest of both bodies
+// and of the offset of their origins, then and now. No length above exceeds 4 S. The e cost
 //   |v| to |A'v| and back, and e |p|                       at most 7 D S
 //   M against rotations                                    2.3 D S
 //   a point of the world to its body by A' and not A^-1    1.1 D S
@@ -34,8 +34,8 @@ namespace {
 
 constexpr double kSlack = 16;
 constexpr double kMinDefect = 64 * kUnitRoundoff;
-constexpr double kLargestDefect = 1e-9;  // that of poses of tf is below 1e-14
-constexpr double kFarthest = 1e9;        // m; the square of nothing overflows
+constexpr double kLargestDefect = 1e-9;  // the defect of poses of tf is below 1e-14
+constexpr double kFarthest = 1e9;        // m; no square overflows
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 
 namespace link_bounds {
 
-/// Holds a body, in its own frame.
+/// A ball that holds a body, in the frame of the body [m].
 struct Ball {
   Ball(const Eigen::Vector3d& its_center, double its_radius)
       : center(its_center), radius(its_radius), farthest(center.norm() + radius) {}
@@ -22,33 +22,34 @@ struct Ball {
 /// Nothing if the body has no shape or no finite box.
 std::optional<Ball> ballOf(const Body& body);
 
-/// A body at a pose that keeps its form.
+/// A body at a rigid pose.
 struct RigidBody {
   Ball ball;
   Eigen::Matrix3d axes;
   Eigen::Vector3d origin;
-  double from_origin;  ///< of the world [m]
+  double from_origin;  ///< how far `origin` is from the origin of the world [m]
   double defect;       ///< bounds |axes' axes - 1|, with the rounding of products
 };
 
 /// Nothing if the pose scales or mirrors, or if lengths are beyond 1e9 m.
 std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& world_from_body);
 
-/// Of two bodies, the one with the larger ball rests: the other one moves as seen from it.
+/// The one of two bodies that counts as resting: that with the larger ball. Motion of the other
+/// body is seen from it.
 inline const RigidBody& resting(const RigidBody& first, const RigidBody& second) {
   return second.ball.radius <= first.ball.radius ? first : second;
 }
 
-/// How the points of the body that moves have moved, in the frame of the one that rests: a point q
-/// of its frame by turned q + shifted, but for `slack` [m].
+/// The motion of the moving body in the frame of the resting one: a point q of the moving body's
+/// frame moves by turned q + shifted, up to `slack` [m].
 struct RelativeMotion {
   Eigen::Matrix3d turned;
   Eigen::Vector3d shifted;
-  double slack;  ///< also: how wrong a point may be that a body has carried to its other pose [m]
+  double slack;     ///< also the max error of a point that a body has carried to its other pose [m]
   double approach;  ///< how much nearer to each other two points of the bodies may be now [m]
 };
 
-/// Two bodies at one time.
+/// The relative pose of two bodies at one time.
 struct PosePair {
   PosePair(const RigidBody& first, const RigidBody& second);
 
@@ -59,12 +60,12 @@ struct PosePair {
   double rounding;
 };
 
-/// From one time to another, of the same two bodies. `mover` is the one that does not rest.
+/// The motion of the same two bodies from `then` to `now`. `mover` is the body that does not rest.
 RelativeMotion motionBetween(const PosePair& then, const PosePair& now, const RigidBody& mover);
 
 class Lease {
  public:
-  /// `found` at the poses of now.
+  /// `found` is the distance of the bodies at the poses `now`.
   Lease(const BodyDistance& found, const PosePair& now, const RigidBody& first,
         const RigidBody& second);
 
@@ -74,8 +75,8 @@ class Lease {
     return motionBetween(then_, now, &resting(first, second) == &first ? second : first);
   }
 
-  /// After that motion: the bound less what the bodies have moved relative to each other, and the
-  /// points where the bodies have carried them. Both are proven.
+  /// The distance after `motion`: the lower bound less the relative motion of the bodies, and the
+  /// points carried along with the bodies. Both bounds are proven.
   BodyDistance carried(const RelativeMotion& motion, const RigidBody& first,
                        const RigidBody& second) const;
 

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a bound of two nodes may be carried along its normal. It says n . v >= d for the vectors v
-// between all their points, n unit. Let A be the body that rests, u = A'n, and M q + m the point q
-// of the other body as A sees it (lease.cpp). Then u . A'v is n . v, and from one pair of poses to
-// the next one it changes by u . ((M1 - M0) q + m1 - m0), or its negative where v points from the
-// other body to A. Over the box of the node of q this is least at a corner. |v| is at least u .
-// A'v. What poses that are not quite rigid cost is in the slack of lease.cpp. A normal is kept in
-// floats: u is wrong by less than 2^-23, and the bound by as much of the way that a point moves,
-// which is at most what Approach::moved has grown by, but for the rounding of that difference.
-// Rounding here is that of a few products with the coordinates of the shape, which the rounding of
-// the search bounds (placed_body.cpp).
+// Why a bound of two nodes may be carried along its normal. The bound is n . v >= d for the vectors
+// v between all their points, n unit. Let A be the body that rests, u = A'n, and M q + m the point
+// q of the other body as A sees it (lease.cpp). Then u . A'v is n . v, and from one pair of poses
+// to the next one it changes by u . ((M1 - M0) q + m1 - m0), or its negative where v points from
+// the other body to A. Over the box of the node of q this is smallest at a corner. |v| is at least
+// u . A'v. The slack of lease.cpp covers poses that are not quite rigid. A normal is kept in
+// floats, so u is wrong by less than 2^-23, and the bound by that fraction of a point's motion,
+// which is at most the growth of Approach::moved, up to the rounding of that difference. Rounding
+// here is that of a few products with the coordinates of the shape, which the rounding of the
+// search bounds (placed_body.cpp).
 #pragma once
 
 #include "geometry/distance/tree_front.h"
@@ -18,7 +18,7 @@
 
 namespace link_bounds {
 
-/// How nodes have moved since the last call with the memory. `latest` must be known.
+/// How nodes have moved since the last call with the memory. `pair.motion.latest` must be known.
 class NodeMotion {
  public:
   explicit NodeMotion(const ShapePair& pair)
@@ -48,9 +48,9 @@ class NodeMotion {
   }
 
  private:
-  bool is_second_;  ///< the body that moves
+  bool is_second_;  ///< whether the second body moves
   const BodyShape& mover_;
-  Eigen::Matrix3d turned_;  ///< of points of the shape
+  Eigen::Matrix3d turned_;  ///< a point p of the shape moves by turned_ p + shifted_
   Eigen::Vector3d shifted_;
   double slack_;
 };

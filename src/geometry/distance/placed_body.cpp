@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The argument behind every lower bound of this room.
+// Why every lower bound in this folder is proven.
 //
 // Let n be a vector of doubles, which GJK or two witness points give, with | |n| - 1 | <= 4u where
 // u = 2^-53. Whatever n is, no point of A is nearer to one of B than
@@ -39,7 +39,7 @@ namespace {
 constexpr double kRounding = 128 * kUnitRoundoff;  // both are derived above
 constexpr double kPointTolerance = 2 * kTableTolerance;
 
-/// What products and squares of tiny numbers may lose [m]. Much smaller lengths have no square.
+/// Max loss of products and squares of tiny numbers by underflow [m].
 constexpr double kUnderflow = 1e-140;
 
 /// Larger bodies could overflow in a product of four lengths.
@@ -64,7 +64,7 @@ double roundingBound(const BodyShape& shape, const Eigen::Affine3d& world_from_b
   return length(rho.x(), rho.y(), rho.z());
 }
 
-/// In the world.
+/// The box of the shape in the world.
 std::optional<Aabb> boxOf(const BodyShape& shape, const Eigen::Affine3d& world_from_body) {
   std::optional<Aabb> box = worldBox(shape.shape, world_from_body);
   if (!box || !shape.tip) return box;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A body at its pose, with what every search with it needs, and how much rounding can amount to.
+// A body at its pose, with the data that every search needs and a bound of its rounding.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace link_bounds {
 
-/// What is nearer to its centre than `inside` belongs to the ball, what is farther than `outside`
-/// does not [m].
+/// Points nearer to the centre than `inside` belong to the ball; points farther than `outside` do
+/// not [m].
 struct PlacedBall {
   double inside = 0;
   double outside = 0;
@@ -36,11 +36,11 @@ struct PlacedBody {
   std::optional<RigidBody> rigid;  ///< if its motion is followed, and its pose is rigid
 };
 
-/// `body` must live as long. Nothing if there is no shape or one has no finite box.
+/// `body` must outlive the result. Nothing if there is no shape or one has no finite box.
 std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& world_from_body);
 
-/// Of the two bodies and of the offset of their origins: bounds the error of a computed distance
-/// along a unit direction [m].
+/// Bounds the error of a computed distance along a unit direction [m]: that of both bodies and of
+/// the offset of their origins.
 double pairRounding(const PlacedBody& first, const PlacedBody& second);
 
 }  // namespace link_bounds

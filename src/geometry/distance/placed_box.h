@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes of two trees where a search sees them, and how far they are apart.
+// Boxes of tree nodes in the coordinates of a search, and how far two of them are apart.
 #pragma once
 
 #include "geometry/distance/triangle_tree.h"
@@ -14,7 +14,7 @@ struct BoxPlacement {
 
   const Placement& at;
   Eigen::Matrix3f linear;
-  float largest;  ///< entry of `linear`
+  float largest;  ///< max |entry| of `linear`
 
   /// The pad of the width of a node's box, as derived below [m].
   double padOf(const TreeNode& node) const {
@@ -39,7 +39,8 @@ class PlacedBox {
         pad_(its.padOf(node)),
         inverse_((x_ * x_ + y_ * y_ + z_ * z_).max(kShortestSquare).inverse()) {}
 
-  /// About the nearest point of the box if the edges are orthogonal, as in a rigid pose.
+  /// Approximately the nearest point of the box to `point`, if the edges are orthogonal, as in a
+  /// rigid pose.
   Eigen::Vector3d near(const Eigen::Vector3d& point) const {
     const Eigen::Vector3f from = (point - center).cast<float>();
     const Eigen::Array4f along = x_ * from.x() + y_ * from.y() + z_ * from.z();
@@ -48,7 +49,7 @@ class PlacedBox {
     return center + offset.cast<double>();
   }
 
-  /// Half of the width along a unit direction, or more.
+  /// Upper bound of half the width along a unit direction [m].
   double extent(const Eigen::Vector3d& direction) const {
     const Eigen::Vector3f d = direction.cast<float>();
     return (x_ * d.x() + y_ * d.y() + z_ * d.z()).abs().sum() + pad_;
@@ -57,14 +58,14 @@ class PlacedBox {
   const Eigen::Vector3d center;
 
  private:
-  static constexpr float kShortestSquare = 1e-30f;  ///< a flat pose leaves edges no length
+  static constexpr float kShortestSquare = 1e-30f;  ///< for edges that a flat pose shrinks to 0
 
   static Eigen::Array4f row(const TreeNode& node, const Eigen::Matrix3f& linear, int i) {
     return (node.x * linear(i, 0) + node.y * linear(i, 1) + node.z * linear(i, 2)) *
            TreeNode::edgesOnly();
   }
 
-  Eigen::Array4f x_, y_, z_;  ///< of the edges
+  Eigen::Array4f x_, y_, z_;  ///< coordinates of the three edges
   double pad_;
   Eigen::Array4f inverse_;  ///< of their squared lengths
 };
@@ -76,7 +77,7 @@ struct Separation {
   Eigen::Vector3d normal;  ///< unit; a direction in which the sets may be separate
   bool is_along = false;   ///< `lower` is proven along `normal`
 
-  /// If that is more.
+  /// Takes the bound along a direction if it is larger.
   void raise(double lower_along, const Eigen::Vector3d& along) {
     if (!(lower_along > lower)) return;
     lower = lower_along;
@@ -86,8 +87,8 @@ struct Separation {
 };
 
 /// Raises `known.lower` until it is at least `far_enough`, or until the boxes are proven to be
-/// nearer, or for a few steps. `rounding` is what a computed bound may be too large by. Projects a
-/// point from box to box: faster than GJK, and it need not converge.
+/// nearer, or for a few steps. `rounding` is the max error of a computed bound. Projects a point
+/// from box to box: faster than GJK, and it need not converge.
 void separate(const PlacedBox& first, const PlacedBox& second, double far_enough, double rounding,
               Separation& known);
 

@@ -10,9 +10,9 @@
 
 namespace link_bounds {
 
-/// What was nearest in a search. The next search of the same two bodies begins with it, which saves
-/// time where they have not moved far. No bound rests on what says where to look first; but
-/// `trees.front` has proven bounds, which become smaller as `moved` grows.
+/// What was nearest in a search. The next search of the same two bodies begins there, which saves
+/// time if they have not moved far. Only `trees.front` has proven bounds, which become smaller as
+/// `moved` grows; the other members just say where to look first.
 struct PairMemory {
   bool is_known = false;
   std::uint32_t first_shape = 0;
@@ -22,7 +22,7 @@ struct PairMemory {
   double moved = 0;  ///< how much nearer the bodies may have come since the memory began [m]
 };
 
-/// Room that searches use one after the other, so that none allocates.
+/// Buffers that searches use one after the other, so that none allocates.
 struct SearchRoom {
   struct ShapeIndices {
     std::uint32_t first;
@@ -33,14 +33,14 @@ struct SearchRoom {
   TreeScratch trees;
 };
 
-/// Nothing unless the boxes of the bodies prove that these are farther apart than `limit`. Most
-/// pairs of a robot are. The points are any ones.
+/// A distance by the boxes of the bodies alone; nothing unless these prove that the bodies are
+/// farther apart than `limit`, as most pairs of a robot are. The two points are arbitrary points of
+/// the bodies.
 std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
                                            const PlacedBody& second);
 
-/// Only the bodies that `memory` was made with may be given, in any poses. `latest` is how they
-/// have moved since the last call with this memory, at rigid poses of both; without it no proven
-/// bound is taken from there.
+/// `memory` must be new, or of the same two bodies in any poses. `latest` is their motion since the
+/// last call with this memory, at rigid poses of both; without it, no bound of the memory is used.
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory, SearchRoom& room,
                             const std::optional<RelativeMotion>& latest = std::nullopt);

@@ -17,10 +17,11 @@ namespace {
 
 using Vectors = std::array<Eigen::Vector3d, 4>;
 
-/// What coordinates of points of magnitude 1 differ by where only rounding does.
+/// Max difference of coordinates of magnitude 1 that is due to rounding alone.
 constexpr double kNoise = 4e-16;
 
-/// Squared: at this part of an edge's length, digits of the nearest point have begun to cancel.
+/// Square of a ratio: at 1e-4 of an edge's length, digits of the nearest point have begun to
+/// cancel.
 constexpr double kClose = 1e-8;
 
 /// The nearest point so far: a combination of the points whose bits are set.
@@ -30,7 +31,8 @@ class NearestToOrigin {
 
   SimplexPoint found;
 
-  /// Must be nearer by more than rounding: of points that are equally near, the first one stays.
+  /// Takes the candidate if it is nearer by more than rounding: of points that are equally near,
+  /// the first one stays.
   void offer(const Eigen::Vector3d& candidate, const std::array<double, 4>& candidate_weights) {
     const double squared = candidate.squaredNorm();
     if (!(squared < limit_)) return;
@@ -41,7 +43,7 @@ class NearestToOrigin {
   }
 
   /// Whether no point of the simplex is nearer than `found` by more than rounding: all are beyond
-  /// the plane across it.
+  /// the plane through `found` that is normal to it.
   bool isProven(const Vectors& points, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
       if (!(points[i].dot(found.point) >= least_)) return false;
@@ -51,8 +53,10 @@ class NearestToOrigin {
 
  private:
   double noise_;
-  double limit_ = std::numeric_limits<double>::infinity();  ///< of the next squared distance
-  double least_ = std::numeric_limits<double>::infinity();  ///< what isProven() demands
+  double limit_ = std::numeric_limits<double>::infinity();  ///< of the squared distance of the next
+                                                            ///< candidate
+  double least_ = std::numeric_limits<double>::infinity();  ///< the squared distance that
+                                                            ///< isProven() demands
 };
 
 constexpr unsigned bit(std::size_t i) {

@@ -45,21 +45,23 @@ class Simplex {
   void removeLast() { --size_; }
 
   /// The point nearest to the origin. Every candidate is a convex combination of the points, so
-  /// rounding can make it less near, but never one that is not in the difference.
+  /// rounding can give a point that is slightly farther away, but none outside the difference of
+  /// the sets.
   SimplexPoint nearest() const { return nearest(0); }
 
-  /// The same if it is a combination that the last added point has a part in.
+  /// As nearest(), but faster: tries only edges and faces that have the last added point as a
+  /// corner.
   SimplexPoint nearestWithLast() const { return nearest(1u << (size_ - 1)); }
 
   /// Keeps the points of which `nearest` is a combination.
   void keep(const SimplexPoint& nearest);
 
-  /// `normal` along the nearest point, which is `length` away, made perpendicular to all edges that
-  /// are much longer. Those say more about it than a point so near, of which rounding leaves few
-  /// digits.
+  /// `normal`, the direction of the nearest point at distance `length`, made perpendicular to all
+  /// edges that are much longer than that. Rounding leaves so near a point few digits, so these
+  /// edges determine its direction better.
   Eigen::Vector3d acrossEdges(const Eigen::Vector3d& normal, double length) const;
 
-  /// The point of each set that the point of the last keep() is the difference of.
+  /// The points of the two sets whose difference is the point of the last keep().
   Eigen::Vector3d first() const;
   Eigen::Vector3d second() const;
 

@@ -27,14 +27,14 @@ constexpr double kLargestCoordinate = 1e30;
 /// coordinates of d along the axes add up to |d| or more.
 constexpr double kEdgePad = 1e-6;
 
-/// Nodes of so few triangles try the axes of each.
+/// Nodes with up to this many triangles also try the axes of each triangle.
 constexpr std::uint32_t kFewTriangles = 16;
 
 /// Smaller boxes would lose digits to underflow [m].
 constexpr double kSmallestRadius = 1e-30;
 
-/// What a node costs, in looks of a WorkMeter: along two sets of axes or, where it has few
-/// triangles, along more.
+/// Cost of a node per triangle, see WorkMeter: its box is fitted along two sets of axes, or along
+/// more if it has few triangles.
 constexpr std::size_t kLooksPerTriangle = 10;
 
 using Axes = Eigen::Matrix3d;  // columns
@@ -106,7 +106,7 @@ class Builder {
     return solver.info() == Eigen::Success ? Axes(solver.eigenvectors()) : Axes::Identity();
   }
 
-  /// Along the longest edge of the triangle, and across its plane.
+  /// Axes along the longest edge of the triangle and across its plane.
   Axes triangleAxes(std::uint32_t triangle) const {
     const Triangle p = tree_.corners(triangle);
     std::array<Eigen::Vector3d, 3> edges{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
@@ -122,7 +122,7 @@ class Builder {
   FittedBox fit(const Range& range) const {
     FittedBox best = along(Axes::Identity(), range);
     const auto consider = [&](const Axes& axes) {
-      // NaN, too, where there is no direction.
+      // Also refuses NaN, which a triangle without a direction gives.
       if (!((axes.transpose() * axes - Axes::Identity()).cwiseAbs().maxCoeff() < 1e-14)) return;
       const FittedBox box = along(axes, range);
       if (box.surface() < best.surface()) best = box;
@@ -159,8 +159,8 @@ class Builder {
     node.child = 0;
   }
 
-  /// At the mean of the triangles' centres along the axis of most extent, or in the middle of the
-  /// list if that separates nothing.
+  /// Divides at the mean of the triangles' centres along the box's longest edge, or in the middle
+  /// of the list if that separates nothing.
   void divide(const FittedBox& box, const Range& range, std::vector<Range>& open) {
     int longest = 0;
     box.box.sizes().maxCoeff(&longest);
@@ -189,8 +189,8 @@ class Builder {
   WorkMeter& meter_;
 };
 
-/// Gives each of the largest small nodes its vertices in a row. A vertex that several of them use
-/// is there several times.
+/// Stores the vertices of each topmost small node in one contiguous block. A vertex that several of
+/// these nodes use is stored in each block.
 class VertexBlocks {
  public:
   VertexBlocks(TriangleTree& tree, WorkMeter& meter)
@@ -226,7 +226,7 @@ class VertexBlocks {
     }
   }
 
-  /// Sets it for all nodes below, too.
+  /// Sets first_vertex of the node and of all nodes below.
   void setFirstVertex(TreeNode& node, std::uint32_t vertex) {
     node.first_vertex = vertex;
     if (node.isLeaf()) return;
@@ -236,7 +236,7 @@ class VertexBlocks {
 
   TriangleTree& tree_;
   std::vector<Eigen::Vector3d> vertices_;
-  std::vector<std::uint32_t> moved_to_;  ///< by old index, the new one plus 1
+  std::vector<std::uint32_t> moved_to_;  ///< by old index: the new index plus 1
 };
 
 bool isUsable(const std::vector<Eigen::Vector3d>& vertices,
@@ -297,7 +297,7 @@ std::size_t bytes(const TriangleTree& tree) {
          tree.hull_lists.capacity() * sizeof(tree.hull_lists[0]);
 }
 
-/// As if each leaf had one triangle.
+/// Counts as many nodes as if each leaf had one triangle.
 std::size_t maxTreeBytes(const TriangleMesh& mesh) {
   return sizeof(TriangleTree) +
          mesh.triangles.size() * (2 * sizeof(TreeNode) + sizeof(mesh.triangles[0]) + kListedBytes) +

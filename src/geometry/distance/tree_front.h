@@ -15,9 +15,10 @@
 
 namespace link_bounds {
 
-/// A proven distance of parts of two bodies, which a later search uses less what the bodies have
-/// moved since. In four bytes, as a search keeps thousands. `moved` is how much nearer the bodies
-/// may have come since the memory began, the sum over all searches [m].
+/// A proven lower bound of the distance of parts of two bodies. A later search reduces it by the
+/// motion of the bodies since. It takes four bytes, because a search keeps thousands of them.
+/// `moved` is how much nearer the bodies may have come since the memory began, the sum over all
+/// searches [m].
 class CarriedBound {
  public:
   CarriedBound() = default;  ///< 0
@@ -27,7 +28,7 @@ class CarriedBound {
     sum_ = static_cast<float>(sum - (kRoundedDown * std::abs(sum) + kUnderflow));
   }
 
-  /// May be negative.
+  /// The bound at a later `moved` [m]; may be negative.
   double at(double moved) const { return static_cast<double>(sum_) - moved * kRoundedUp; }
 
  private:
@@ -45,9 +46,9 @@ struct FrontPair {
 
   std::uint32_t first;
   std::uint32_t second : 31;
-  std::uint32_t is_along : 1;  ///< the bound is proven along the normal
-  /// In the axes of the body that rests, so that it turns with it. No vector of Eigen, so that a
-  /// pair is copied as plain bytes.
+  std::uint32_t is_along : 1;  ///< 1: `bound` is proven along `normal`, below
+  /// In the axes of the body that rests, so that the normal turns with that body. No vector of
+  /// Eigen, so that a pair is copied as plain bytes.
   std::array<float, 3> normal;
   CarriedBound bound;
 
@@ -59,18 +60,19 @@ static_assert(std::is_trivially_copyable_v<FrontPair>);
 class Front {
  public:
   /// A search renews them in place, which saves the time and the memory of a copy, and then calls
-  /// one of the following.
+  /// begin() or keep().
   std::vector<FrontPair>& pairs() { return pairs_; }
 
-  /// They came of the whole trees.
+  /// The pairs are from a search that began with the whole trees.
   void begin() {
     largest_ = std::min(kLargest, pairs_.size() * 3 / 2);
     searches_ = 0;
     keep();
   }
 
-  /// They came of this front. On the way pairs are divided but never joined, so a front that has
-  /// grown or is old is forgotten, and the next search begins with the whole trees.
+  /// The pairs are from a search that began with this front. Such a search divides pairs but never
+  /// joins them, so a front that has grown or is old is dropped, and the next search begins with
+  /// the whole trees.
   void keep() {
     if (pairs_.size() > largest_ || ++searches_ > kSearches) pairs_.clear();
     if (pairs_.capacity() > kLargest) pairs_.shrink_to_fit();

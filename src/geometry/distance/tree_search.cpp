@@ -17,16 +17,18 @@ namespace {
 
 constexpr int kNodeSteps = 8;  ///< then the pair counts as near
 
-constexpr int kLeafSteps = 100;  ///< of shapes that are curved
+constexpr int kLeafSteps = 100;  ///< only curved shapes need many
 
-/// After so many pairs of a front that do not hold any more, it is judged by those seen so far:
-/// with all poses new, 10 % less time for meshes, in coherent motion the same.
+/// After so many pairs of a front whose bound no longer holds, goOn() judges the front by the pairs
+/// seen so far. This takes 10 % less time for meshes if all poses are new, and the same in coherent
+/// motion.
 constexpr std::size_t kSample = 24;
 
-/// Hulls that nothing separates are of surfaces that bend; parts of the nodes bend less.
+/// If hulls do not separate two nodes, the next hulls are of nodes with so many times fewer
+/// triangles: smaller parts of a curved surface are flatter.
 constexpr std::uint32_t kNextHulls = 4;
 
-/// Half of the accuracy is left to what follows.
+/// The share of the accuracy that GJK between leaves uses.
 constexpr double kLeafTolerance = 0.25;
 
 bool isLeaf(const BodyShape& shape, std::uint32_t node) {
@@ -64,7 +66,8 @@ class NodeSearch {
   double run() {
     const bool is_first = !memory_.nearest;
     if (!is_first) guess(*memory_.nearest);
-    // The first search divides more than is needed when its witness is known.
+    // The first search does not know a near witness yet and divides too much, so its front is not
+    // kept.
     keeps_front_ = pair_.isFollowed() && !is_first;
     if (goOn()) {
       memory_.front.keep();
@@ -81,7 +84,7 @@ class NodeSearch {
   /// A pair that is proven to be so far apart cannot change the result.
   double farEnough() const { return goal_.enough(witness_.distance); }
 
-  /// Compares what is open, until nothing is.
+  /// Compares pairs of nodes until none is open.
   void empty() {
     while (!scratch_.open.empty()) {
       const NodePair pair = scratch_.open.back();
@@ -97,9 +100,9 @@ class NodeSearch {
     }
   }
 
-  /// Most pairs of the last front are still proven to be far enough apart; the others are looked
-  /// at. False, and nothing is done, if more than three quarters are not: then the front is of
-  /// another time.
+  /// Begins with the last front: most of its pairs are still proven to be far enough apart, and
+  /// only the others are searched. Drops the front and returns false if more than three quarters of
+  /// the pairs no longer hold, because the poses have changed too much since.
   bool goOn() {
     if (front_.empty()) return false;
     std::optional<NodeMotion> motion;
@@ -126,9 +129,9 @@ class NodeSearch {
     return true;
   }
 
-  /// How far two nodes of the last front are still proven to be apart: by how much any points can
-  /// have come nearer since, by how the nodes have moved, or along the direction that decided then.
-  /// If nothing proves `far_enough`, they are put among the near ones.
+  /// Tries to prove that two nodes of the last front are still `far_enough` apart: by the motion of
+  /// the bodies since, by the motion of the nodes, or along the direction that decided last time.
+  /// Returns the bound. If nothing proves it, adds the pair to the near ones.
   std::optional<double> stillApart(FrontPair& known, double far_enough,
                                    std::optional<NodeMotion>& motion) {
     const double by_bodies = std::max(hulls_.lower, known.bound.at(pair_.motion.moved));
@@ -142,7 +145,7 @@ class NodeSearch {
     NodePair pair{known.first, known.second, {hulls_.lower, 0, hulls_.normal}};
     const Eigen::Matrix3d& axes = resting(*pair_.first_rigid, *pair_.second_rigid).axes;
     pair.separation.normal = (axes * known.direction()).normalized();
-    if (!haveTriangles() || !areLeaves(pair)) {  // their triangles do that better
+    if (!haveTriangles() || !areLeaves(pair)) {  // two leaves are bounded by their triangles
       pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
     }
     if (pair.separation.lower >= far_enough) {
@@ -153,7 +156,7 @@ class NodeSearch {
     return std::nullopt;
   }
 
-  /// True if fewer than a quarter of the pairs that were looked at still hold: `held` of them.
+  /// `held` is how many of the pairs looked at still hold. True if that is less than a quarter.
   bool isOfAnotherTime(std::ptrdiff_t held) const {
     return scratch_.near.size() > 3 * static_cast<std::size_t>(held);
   }
@@ -233,7 +236,7 @@ class NodeSearch {
     return PlacedBox(shape.triangles->nodes[node], at);
   }
 
-  /// Descends to the child that is nearer, without looking back.
+  /// Descends to the child that is nearer, without backtracking.
   static std::uint32_t leafNear(const BodyShape& shape, const BoxPlacement& at,
                                 const Eigen::Vector3d& point) {
     std::uint32_t node = 0;
@@ -303,9 +306,9 @@ class NodeSearch {
     if (!(pair.separation.lower >= farEnough())) boundSmallNodes(pair);
   }
 
-  /// The hulls of small nodes, and where these do not decide, of much smaller ones on the way down.
-  /// Surfaces that face each other are nearly convex there, where a box leaves more room than the
-  /// accuracy.
+  /// Compares the hulls of small nodes. If they do not decide, hulls are compared again for much
+  /// smaller nodes on the way down. The facing surfaces of small nodes are nearly convex, where a
+  /// box leaves more room than the accuracy.
   void boundSmallNodes(NodePair& pair) const {
     const TreeNode& first = pair_.first.triangles->nodes[pair.first];
     const TreeNode& second = pair_.second.triangles->nodes[pair.second];
@@ -317,7 +320,8 @@ class NodeSearch {
             pair.separation);
   }
 
-  /// What kHullPad may come to. No vector grows by more than three times the largest entry.
+  /// Max error due to kHullPad [m]. A pose stretches no vector by more than three times its largest
+  /// entry.
   static double hullPad(const BodyShape& shape, const BoxPlacement& at) {
     return 4 * kHullPad * shape.triangles->magnitude * at.largest;
   }
@@ -341,7 +345,7 @@ class NodeSearch {
     known.raise(result.lower - pad, result.normal);
   }
 
-  /// Triangles that no solid sweeps.
+  /// True if both shapes have triangles that no solid sweeps.
   bool haveTriangles() const {
     const TriangleTree* first = pair_.first.triangles.get();
     const TriangleTree* second = pair_.second.triangles.get();
@@ -381,7 +385,7 @@ class NodeSearch {
       withSet(shape, i, [&](const auto& set) { use(i, set); });
   }
 
-  /// Returns how far these two sets are proven to be apart, from what is known of them.
+  /// Raises the known bound of two sets by GJK and returns it.
   template <class First, class Second>
   Separation compareSets(const TrianglePair& sets, Separation known, const First& first,
                          const Second& second) {
@@ -449,7 +453,8 @@ class NodeSearch {
     normal = between / length;
     double gap = gapAlong(normal, first, second);
     if (gap - pair_.pad() >= farEnough()) return gap - pair_.pad();
-    // The way between points that nearly touch has few digits; the planes have more.
+    // The vector between points that nearly touch has few digits; the normals of the planes have
+    // more.
     gap = std::max({gap, gapAcross(first, first, second), gapAcross(second, first, second)});
     double lower = gap - pair_.pad();
     if (lower >= farEnough()) return lower;
@@ -462,7 +467,7 @@ class NodeSearch {
     return lower;
   }
 
-  /// Across the plane of `triangle`, on either side.
+  /// The gap of the two triangles along the normal of `triangle`, in either direction.
   static double gapAcross(const Triangle& triangle, const Triangle& first, const Triangle& second) {
     const Eigen::Vector3d across =
         (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
@@ -478,7 +483,7 @@ class NodeSearch {
   const DistanceGoal& goal_;
   std::size_t& steps_left_;
   Witness& witness_;
-  double lower_ = std::numeric_limits<double>::infinity();  ///< of all pairs that are dropped
+  double lower_ = std::numeric_limits<double>::infinity();  ///< min of all dropped pairs
   bool keeps_front_ = false;
   TreeMemory& memory_;
   std::vector<FrontPair>& front_;  ///< all pairs that are dropped

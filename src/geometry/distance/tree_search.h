@@ -14,14 +14,14 @@
 
 namespace link_bounds {
 
-/// The two points of least distance so far, in the coordinates of the search.
+/// The two nearest points so far, in the coordinates of the search.
 struct Witness {
   Eigen::Vector3d on_first = Eigen::Vector3d::Zero();
   Eigen::Vector3d on_second = Eigen::Vector3d::Zero();
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// By their indices; 0 of a shape without triangles.
+/// The indices of two triangles; 0 for a shape without triangles.
 struct TrianglePair {
   std::uint32_t first;
   std::uint32_t second;
@@ -44,7 +44,7 @@ struct NodePair {
 /// The leaves of a tree that a search has placed last.
 class PlacedLeaves {
  public:
-  /// Before each search.
+  /// To be called before each search.
   void clear() { nodes_.fill(kNone); }
 
   const PlacedLeaf& at(const TriangleTree& tree, std::uint32_t node, const Placement& placement) {
@@ -62,11 +62,11 @@ class PlacedLeaves {
   std::array<PlacedLeaf, kSlots> leaves_;
 };
 
-/// What a search needs only until it ends. Searches one after the other allocate less with the
-/// same one.
+/// Buffers that a search needs only until it ends. Reusing them for the next search saves
+/// allocations.
 struct TreeScratch {
   std::vector<NodePair> open;
-  std::vector<NodePair> near;  ///< those of the last front that do not hold any more
+  std::vector<NodePair> near;  ///< pairs of the last front whose bound is no longer large enough
   PlacedLeaves first_leaves;
   PlacedLeaves second_leaves;
 
@@ -85,8 +85,8 @@ struct Approach {
   const std::optional<RelativeMotion>& latest;  ///< since that call, if it is known
 };
 
-/// Two shapes whose distance is searched. A shape without triangles is a leaf by itself. Of one
-/// that hasCore(), the core is searched: GJK takes few steps between points and edges, but many on
+/// Two shapes whose distance is searched. A shape without triangles is a leaf by itself. If a shape
+/// hasCore(), only its core is searched: GJK takes few steps between points and edges, but many on
 /// round surfaces.
 struct ShapePair {
   const BodyShape& first;
@@ -95,7 +95,7 @@ struct ShapePair {
   Placement second_at;
   PlacedBall first_ball;
   PlacedBall second_ball;
-  double rounding;  ///< what a computed lower bound may be too large by
+  double rounding;  ///< max error of a computed lower bound [m]
   const Approach& motion;
   const std::optional<RigidBody>& first_rigid;
   const std::optional<RigidBody>& second_rigid;
@@ -105,14 +105,14 @@ struct ShapePair {
   ShapeHull firstHull() const { return {first, first_ball.outside > 0}; }
   ShapeHull secondHull() const { return {second, second_ball.outside > 0}; }
 
-  /// How much nearer the shapes are than their cores, at most.
+  /// Max difference between the distance of the cores and that of the shapes [m].
   double balls() const { return first_ball.outside + second_ball.outside; }
 
-  /// The same, with the error of a computed bound.
+  /// balls() plus the error of a computed bound [m].
   double pad() const { return rounding + balls(); }
 
-  /// Takes the points of the two shapes between a point of each core where these are nearer. True
-  /// if they are.
+  /// Given a point of each core, takes the points of the two shapes on the line between them as the
+  /// witness if these are nearer. Returns true if they are.
   bool improve(Witness& witness, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     const Eigen::Vector3d between = b - a;
     const double squared = between.squaredNorm();
@@ -132,7 +132,7 @@ struct ShapePair {
     return true;
   }
 
-  /// Beside `rounding`, the digits that the floats of TreeNode::extent() lose where they are tiny.
+  /// `rounding` plus what tiny floats in TreeNode::extent() lose [m].
   double boxRounding() const {
     return rounding + 1e-43 * (1 + magnitudeOf(first) + magnitudeOf(second));
   }
@@ -153,8 +153,8 @@ struct NearestOfHulls {
 
 /// Improves `witness`, which may be of other shapes, and returns a lower bound of the distance of
 /// these two that is at least hulls.lower. Ends when the bound is at least the limit or at least
-/// witness.distance - accuracy. `memory` says where to look first. A bound in
-/// it still holds once reduced by what pair.motion.moved has grown by since.
+/// witness.distance - accuracy. `memory` says where to look first. Its bounds hold after they are
+/// reduced by the growth of pair.motion.moved since.
 double searchTrees(const ShapePair& pair, const NearestOfHulls& hulls, TreeMemory& memory,
                    const DistanceGoal& goal, std::size_t& steps_left, Witness& witness,
                    TreeScratch& scratch);

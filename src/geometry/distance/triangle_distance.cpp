@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tries all 15 pairs of features: each corner with the other triangle (6) and each edge with each
 // edge (9), and last whether an edge pierces a triangle. Ends early only where the supports of the
-// triangles prove that two points are nearest. What one pair of features says never rules out
-// another; that is where the routine of PQP and FCL goes wrong.
+// triangles prove that two points are nearest. The result of one pair of features never rules out
+// another; the routine of PQP and FCL does that and goes wrong.
 #include "geometry/distance/triangle_distance.h"
 
 #include <Eigen/Geometry>
@@ -13,10 +13,11 @@
 namespace link_bounds {
 namespace {
 
-/// The squared sine of an angle.
+/// Squared sine of the angle below which a triangle counts as thin.
 constexpr double kThin = 1e-6;
 
-/// Two points count as nearest if the triangles are so much of the points' distance apart.
+/// Two points count as nearest if the gap of the triangles is at least this fraction of the points'
+/// distance.
 constexpr double kProven = 1 - 1e-13;
 
 class NearestOfTriangles {
@@ -46,7 +47,7 @@ class NearestOfTriangles {
   const Triangle& first_;
   const Triangle& second_;
   double enough_;
-  bool is_new_ = false;  ///< since isDone()
+  bool is_new_ = false;  ///< `pair` has changed since the last isDone()
 };
 
 /// The point of the segment from a along `edge` that is nearest to `point`.
@@ -66,7 +67,7 @@ struct Features {
         ab(edges[0].dot(edges[2])),
         determinant(squared_edges[0] * squared_edges[2] - ab * ab) {}
 
-  /// Rounding may decide what lies inside, so the edges must be tried, too.
+  /// True if rounding may decide which points are inside, so that the edges must be tried, too.
   bool isThin() const { return !(determinant > kThin * squared_edges[0] * squared_edges[2]); }
 
   /// Projects `point` on the plane; false if the projection is not inside the triangle.
@@ -76,7 +77,7 @@ struct Features {
     if (!isInside(s, t)) return false;
     projection = placed(s, t);
     if (!isThin()) return true;
-    // A small determinant has few digits. What is left of the way has nearly as many as the point.
+    // A small determinant has few digits, so the offset from the projection is projected once more.
     addProjected(point - projection, s, t);
     if (isInside(s, t)) projection = placed(s, t);
     return true;
@@ -89,7 +90,7 @@ struct Features {
     t += squared_edges[0] * pb + ab * pa;
   }
 
-  /// `s` and `t` are in parts of the determinant.
+  /// `s` and `t` are coordinates along the edges, times the determinant.
   bool isInside(double s, double t) const { return s > 0 && t > 0 && s + t < determinant; }
   Eigen::Vector3d placed(double s, double t) const {
     return corners[0] + (s / determinant) * edges[0] - (t / determinant) * edges[2];
@@ -116,7 +117,8 @@ void tryCorner(const Eigen::Vector3d& corner, const Features& other, bool swappe
   }
 }
 
-/// Where both points are inside their edges; the ends of edges are corners.
+/// Offers the nearest points of two lines if both are inside their edges. tryCorner() covers the
+/// ends.
 void tryEdges(const Features& first, std::size_t i, const Features& second, std::size_t j,
               NearestOfTriangles& nearest) {
   const Eigen::Vector3d& d = first.edges[i];

@@ -18,14 +18,15 @@ struct PointPair {
   double squared;  ///< their distance, squared
 };
 
-/// Two points of least distance; of triangles that intersect, a common point. The triangles may be
+/// The nearest points of two triangles; if these intersect, a common point. The triangles may be
 /// segments or points. Each point is a convex combination of corners whatever rounding does, so
-/// `squared` is never too small. If the triangles are at least `enough` apart along the line
-/// through any two points that are tried, these may be returned.
+/// `squared` is never too small. May return earlier found points if the triangles are at least
+/// `enough` apart along the line through them.
 PointPair nearestPoints(const Triangle& first, const Triangle& second,
                         double enough = std::numeric_limits<double>::infinity());
 
-/// How far `second` is from `first` along `normal`, times its length; negative if it is not.
+/// The gap from `first` to `second` along `normal`, times the length of `normal`; negative if they
+/// overlap along it.
 double gapAlong(const Eigen::Vector3d& normal, const Triangle& first, const Triangle& second);
 
 }  // namespace link_bounds

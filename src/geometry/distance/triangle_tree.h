@@ -18,14 +18,14 @@ struct TreeNode {
   /// Coordinates of the centre (lane 0) and of the three edges. All four are computed at a time;
   /// lane 0 is dropped where it has no meaning for the centre.
   Lanes x, y, z;
-  std::uint32_t first;  ///< triangle; those of a node follow each other
-  std::uint32_t count;  ///< of triangles
-  std::uint32_t child;  ///< the left one, which the right one follows; 0: a leaf
-  /// Of the largest small node that this one belongs to. All vertices of that one follow each
-  /// other.
+  std::uint32_t first;  ///< index of the first triangle; those of a node are contiguous
+  std::uint32_t count;  ///< number of triangles
+  std::uint32_t child;  ///< index of the left child; the right child comes next. 0: a leaf
+  /// Index of the first vertex of the topmost small node that holds this one. The vertices of that
+  /// node are contiguous.
   std::uint32_t first_vertex = 0;
-  /// Where the list of the vertices of its hull begins: their number, then their offsets from
-  /// first_vertex. 0: it has none, as a leaf.
+  /// Index in hull_lists of the list of this node's hull vertices: their number, then their offsets
+  /// from first_vertex. 0: no list, as for a leaf.
   std::uint32_t hull_list = 0;
 
   bool isLeaf() const { return child == 0; }
@@ -41,14 +41,14 @@ struct TreeNode {
             {edge(0).cast<double>(), edge(1).cast<double>(), edge(2).cast<double>()}};
   }
 
-  /// How far the triangles extend from the centre along a direction: computed in floats, not less
-  /// than that, as kEdgePad says (tree_build.cpp).
+  /// How far the triangles extend from the centre along a direction. Computed in floats, but never
+  /// too small, see kEdgePad in tree_build.cpp.
   double extent(const Eigen::Vector3d& direction) const {
     const Eigen::Vector3f d = direction.cast<float>();
     return ((x * d.x() + y * d.y() + z * d.z()).abs() * edgesOnly()).sum();
   }
 
-  /// The same from the origin of the shape.
+  /// The support of the box along a direction, from the origin of the shape.
   double farthest(const Eigen::Vector3d& direction) const {
     return center().cast<double>().dot(direction) + extent(direction);
   }
@@ -66,16 +66,16 @@ struct TreeNode {
   }
 };
 
-/// A leaf has no more triangles.
+/// Max number of triangles of a leaf.
 constexpr std::size_t kTrianglesPerLeaf = 8;
 
-/// A node with up to this many triangles is small: the search also compares the hulls of two. In
-/// coherent motion 192 take 5 to 11 % more instructions for visual meshes of the PR2 and the Panda,
-/// 1,024 take 2 to 13 % more; for collision meshes it makes 1 %.
+/// A node with up to this many triangles is small: the search also compares the convex hulls of two
+/// small nodes. In coherent motion, 192 take 5 to 11 % more instructions for visual meshes of the
+/// PR2 and the Panda, 1,024 take 2 to 13 % more; for collision meshes the difference is 1 %.
 constexpr std::uint32_t kSmallNode = 384;
 
-/// No vertex of a node is farther than this part of the tree's magnitude outside the hull of those
-/// that the node lists.
+/// No vertex of a node is outside the hull of its listed vertices by more than this fraction of the
+/// tree's magnitude.
 constexpr double kHullPad = 0x1p-22;
 
 class TriangleTree {
@@ -94,8 +94,8 @@ class TriangleTree {
     return {vertices[a], vertices[b], vertices[c]};
   }
 
-  /// Calls `use` with the offset of each vertex that counts for the hull of a small node, without a
-  /// list several times.
+  /// Calls `use` with the offset of each vertex that counts for the hull of a small node. Without a
+  /// list, a vertex may come several times.
   template <class Use>
   void forEachHullVertex(const TreeNode& node, const Use& use) const {
     if (node.hull_list == 0) {
@@ -111,11 +111,11 @@ class TriangleTree {
   }
 };
 
-/// True for a vertex that a triangle uses, and where a solid sweeps it, for all points of that
-/// solid's box. Looks at each vertex.
+/// True for a vertex of the tree and, if a solid sweeps the vertices, for all points of the solid's
+/// box around one. Looks at each vertex.
 bool holdsPoint(const TriangleTree& tree, const Eigen::Vector3d& point);
 
-/// The convex hull of a small node's triangles, each swept by the solid, but for kHullPad.
+/// The convex hull of a small node's triangles, each swept by the solid, up to kHullPad.
 struct NodeHull {
   const TriangleTree& tree;
   const TreeNode& node;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Some boxes that represent all. What is decided by them affects the speed, not the result.
+// A sample that represents all boxes. Decisions based on it affect the speed, not the result.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes first, because they leave few pairs; then the rule.
+// Searches near boxes first, so that the rule is asked about few pairs.
 #include "geometry/pairs/near_pairs.h"
 
 namespace link_bounds {
@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t kPairsPerLook = 1000;  // some 0.1 ms
 
-/// What does not fit into the list must not look as if it were compared.
+/// Lists a pair that is left out. If the list is full, marks both bodies as not listed, so that the
+/// pair does not look as if it were compared.
 void leaveOut(const BoxPair& pair, const NearPairsGoal& goal, NearPairs& result) {
   if (pair.distance > goal.left_out_margin) return;
   if (result.left_out.size() < goal.max_left_out) {

@@ -49,7 +49,7 @@ class IntervalTest {
         box_min_(repeat(min[box])),
         box_max_(repeat(max[box])) {}
 
-  /// Which of the four intervals from `first` on overlap it?
+  /// Which of the four intervals from `first` on overlap the interval of the box.
   Mask overlaps(std::size_t first) const {
     return (load(min_ + first) <= box_max_) & (box_min_ <= load(max_ + first));
   }
@@ -66,8 +66,8 @@ float toFloat(double value) {
   return static_cast<float>(std::min(std::max(-largest, value), largest));
 }
 
-/// The axis along which the fewest boxes of the sample overlap each other. Of the two orders of a
-/// pair, both count if it overlaps, and one if not.
+/// The axis along which the fewest boxes of the sample overlap each other. A pair counts twice if
+/// it overlaps, else once.
 int sweepAxis(const BoxSample& sample) {
   std::array<int, 3> overlaps{};
   for (const Aabb* a : sample) {
@@ -88,7 +88,7 @@ void Sweep::find(const std::vector<Aabb>& boxes, double margin, std::vector<Inde
   const int first_axis = sweepAxis(sample);
   for (int k = 0; k < 3; ++k) {
     const int axis = (first_axis + k) % 3;
-    // Amid the boxes, because floats are finest around 0.
+    // An origin amid the boxes, because floats are finest around 0.
     const double origin = sample.median([axis](const Aabb& box) { return box.min()[axis]; });
     if (k == 0) sortStarts(boxes, axis, origin);
     arrange(boxes, axis, origin, margin, k == 0 ? along_ : across_[k - 1]);

@@ -45,7 +45,7 @@ class Sweep {
     bool operator<(const Start& other) const { return min < other.min; }
   };
 
-  /// Of all boxes along one axis, in the order of the starts.
+  /// The intervals of all boxes along one axis, in the order of the starts.
   struct Intervals {
     std::vector<float> min, max;
   };

@@ -38,7 +38,7 @@ double slackFor(const std::vector<Aabb>& boxes, double speed) {
 
 }  // namespace
 
-/// The pairs of the last sweep, and what they were found for.
+/// The pairs of the last sweep, and the boxes and margin that they are valid for.
 class SweepAndPrune::Candidates {
  public:
   /// All pairs with distance <= margin and some others, sorted.
@@ -49,7 +49,7 @@ class SweepAndPrune::Candidates {
       if (moved <= slack_) return pairs_;
       speed_ = moved / static_cast<double>(steps_);
     }
-    margin_ = -1;  // where memory runs out, nothing was found
+    margin_ = -1;  // if the memory runs out below, no pairs are valid
     boxes_ = boxes;
     slack_ = slackFor(boxes, speed_);
     steps_ = 0;

@@ -12,7 +12,7 @@ namespace link_bounds {
 namespace {
 
 /// The same tree serves every number of parts, so more parts never fit worse than fewer. It has
-/// more leaves than parts, because a split that gains nothing may enable one that does. Of 21
+/// more leaves than parts, because a split that gains nothing may enable one that does. With 21
 /// meshes of robots in 64 parts each, 64 leaves make the volume 13 % larger, and 4,096 leaves less
 /// than 0.1 % smaller.
 constexpr std::size_t kMaxLeaves = 1024;

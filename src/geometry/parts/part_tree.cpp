@@ -14,8 +14,8 @@
 namespace link_bounds {
 namespace {
 
-/// Of 21 meshes of robots in 16 parts each, 8 bins make the volume 3 % larger; 128 bins make it 1 %
-/// smaller and take a quarter more instructions.
+/// With 21 meshes of robots in 16 parts each, 8 bins make the volume 3 % larger; 128 bins make it 1
+/// % smaller and take a quarter more instructions.
 constexpr std::size_t kBins = 32;
 
 constexpr std::size_t kLooksPerSplit = 10;  ///< cost of a split per item, see WorkMeter
@@ -59,7 +59,7 @@ std::vector<PartItem> itemsOf(const std::vector<DivisibleShape>& shapes,
   return items;
 }
 
-/// What several items have together.
+/// The common box and the total surface of several items.
 struct Group {
   Eigen::AlignedBox3f box;
   double surface = 0;

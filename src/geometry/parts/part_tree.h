@@ -38,8 +38,8 @@ struct PartTree {
   std::vector<PartNode> nodes;  ///< the root first, parents before their children
 };
 
-/// To the units of PartItem, with the box of the link at the origin. Nothing if a shape has no
-/// finite box or all of the link is one point.
+/// The transform to the units of PartItem, with the min corner of the link's box at the origin.
+/// Nothing if a shape has no finite box or all of the link is one point.
 std::optional<Eigen::Affine3d> unitFromLink(const std::vector<DivisibleShape>& shapes);
 
 PartTree growTree(const std::vector<DivisibleShape>& shapes, const Eigen::Affine3d& unit_from_link,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The box of one link, computed without memory.
+// The box of one link, without a cache.
 #include "link_bounds/geometry/shape/bounded_link.h"
 
 #include <algorithm>

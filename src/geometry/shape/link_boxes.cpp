@@ -11,7 +11,8 @@
 namespace link_bounds {
 namespace {
 
-/// What a batch prefetches fits into a first-level cache of 32 KiB.
+/// Max links and shapes of a batch: the data that it prefetches fit into a first-level cache of 32
+/// KiB.
 constexpr std::ptrdiff_t kLinksPerBatch = 16;
 constexpr std::size_t kShapesPerBatch = 64;
 static_assert(kShapesPerBatch * 3 * sizeof(DirectionTable::List) <= 32 * 1024, "");
@@ -25,8 +26,8 @@ struct LinkBoxes::PlacedShape {
   ShapeExtents known;
 };
 
-/// What one batch prefetched for its shapes, one after the other. The lists follow from the poses
-/// of the batch alone and end with it; shapes beyond the last place look theirs up themselves.
+/// The lists that one batch prefetched for its shapes, in order. They depend only on the poses of
+/// the batch and end with it. Shapes beyond kShapesPerBatch look up their lists themselves.
 class LinkBoxes::PrefetchedLists {
  public:
   void prefetch(const PlacedShape& shape, const Eigen::Affine3d& world_from_link) {
@@ -73,7 +74,7 @@ LinkBoxes& LinkBoxes::operator=(LinkBoxes&&) noexcept = default;
 LinkBoxes::~LinkBoxes() = default;
 
 void LinkBoxes::update(const std::vector<MovedLink>& moved) {
-  // One link alone has no other to work on while it waits for its table: as a batch it takes 1.1
+  // A single link has no other one to work on while it waits for its table: as a batch it takes 1.1
   // times as long.
   if (moved.size() == 1) return bound(moved.front(), nullptr, 0);
   const MovedLink* const end = moved.data() + moved.size();

@@ -16,8 +16,8 @@ namespace {
 constexpr double kLargestLinearEntry = 1e30;
 constexpr unsigned kAllRows = 7;  ///< one bit each
 
-/// For the points that a table leaves out, and as much again for rounding while lists are made and
-/// while the points are evaluated.
+/// Pad for the points that a table leaves out, and as much again for rounding while lists are made
+/// and while the points are evaluated.
 constexpr double kPointTolerance = 2 * kTableTolerance;
 
 /// Eight roundings bound every evaluation below: five of a dot product, one each for adding the
@@ -65,8 +65,8 @@ bool isUsable(const Directions& linear) {
   return (linear.array().abs() <= kLargestLinearEntry).all();
 }
 
-/// Pads against rounding for all rows, which become the known ones. False if an entry is too large
-/// or not a number; the sum of all entries rules that out for most poses.
+/// Stores `linear` in `known` and computes the pads of its rows against rounding. False if an entry
+/// is too large or not a number; most poses pass by the sum of all entries alone.
 bool updatePads(const Directions& linear, ShapeExtents& known, Eigen::Vector3d& pads) {
   known.linear = linear;
   double magnitude = 0;
@@ -81,9 +81,9 @@ bool updatePads(const Directions& linear, ShapeExtents& known, Eigen::Vector3d& 
   return false;
 }
 
-/// All three rows, from the given lists or from those found now. False without extents as in
+/// Updates all three rows, from the given lists or from those found now. False, without extents, as
 /// updatePads(). The look-up waits for memory, so the pads are computed between it and the scan:
-/// behind the scan, one link alone takes 1.07 times as long.
+/// after the scan, one link alone takes 1.07 times as long.
 bool updateAll(const Shape& shape, const Directions& linear, const ListsOfRows* lists,
                ShapeExtents& known) {
   CellsOfRows cells;
@@ -106,7 +106,8 @@ bool updateAll(const Shape& shape, const Directions& linear, const ListsOfRows* 
   return true;
 }
 
-/// Only the rows whose bits are set; the query takes one of them again in place of each other row.
+/// Updates only the rows whose bits are set. The query needs three rows, so it takes one of these
+/// again in place of each other row.
 bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, ShapeExtents& known) {
   Eigen::Matrix3d directions;
   for (int k = 0; k < 3; ++k)
@@ -137,8 +138,8 @@ bool isFinite(const Aabb& box) {
 }
 
 /// The pad of the translation is added here; the extents have theirs. Both corners are computed
-/// before the box is written: a compiler that must not assume that the box and `known` are apart
-/// takes 7 % more time for a box.
+/// before the box is written: otherwise the compiler must assume that the box and `known` may
+/// overlap, and a box takes 7 % more time.
 bool placeAt(const Shape& shape, const Eigen::Affine3d& world_from_shape, const ListsOfRows* lists,
              ShapeExtents& known, Aabb& box) {
   if (!update(shape, world_from_shape.linear(), lists, known)) return false;
@@ -153,7 +154,7 @@ bool placeAt(const Shape& shape, const Eigen::Affine3d& world_from_shape, const 
 
 }  // namespace
 
-/// The pad is the largest of any column, which is nearly that of each.
+/// The pad uses the largest size and |coordinate| of any axis, which is nearly that of each axis.
 ShapeExtents::ShapeExtents(const Shape& shape)
     : pad_per_entry(kRoundingPad * shape.size.maxCoeff() / 2),
       is_in_link_frame(shape.link_from_shape.matrix() == Eigen::Matrix4d::Identity()) {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known about all points, the farthest one along a direction, and which of the two ways
-// they are kept.
+// Magnitude, points that are kept, and the farthest point, for both ways in which points are kept.
 #include "link_bounds/geometry/support/point_set.h"
 
 #include <algorithm>
@@ -46,7 +45,7 @@ std::vector<Coordinates> distinctPoints(const DirectionTable& table,
   return distinct;
 }
 
-/// Plain code: the dot products of a block are independent, so the compiler makes them vectors.
+/// Plain code: the dot products of a block are independent, so the compiler vectorises them.
 struct FarthestLane {
   const PointBlock* block = nullptr;
   int lane = 0;

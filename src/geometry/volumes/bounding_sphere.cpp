@@ -25,8 +25,9 @@ namespace link_bounds {
 namespace {
 
 constexpr double kTolerance = 5e-7;  ///< of the radius; half of what the header promises
-constexpr int kMaxSteps = 1000;      ///< typical are some tens
-constexpr double kFlat = 1e-12;  ///< of an edge: a point so near to the plane of others has none
+constexpr int kMaxSteps = 1000;      ///< typically some tens
+constexpr double kFlat = 1e-12;  ///< of an edge's length: so near to the line or plane of others, a
+                                 ///< point is skipped
 
 /// Against rounding, relative to the link's magnitude. Each step of the computation is exact to
 /// some tens of roundoffs (1e-16). Points that a point set leaves out are outside by at most 2e-14.

@@ -21,10 +21,10 @@ constexpr int kSpins = 12;             ///< about each direction, in a quarter t
 constexpr double kFirstStep = 0.08;    ///< about half the angle between two samples [rad]
 constexpr double kLastStep = 1e-8;     ///< [rad]
 constexpr double kMinGain = 1e-6;      ///< of the volume; the header promises it
-constexpr int kMaxRefinements = 1000;  ///< typical are some tens
+constexpr int kMaxRefinements = 1000;  ///< typically some tens
 
 constexpr double kFlatPerDiagonal = 1e-9;    ///< smallest width that counts; see the header
-constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pads amount to
+constexpr double kFlatPerMagnitude = 1e-12;  ///< larger than rounding and its pads
 
 constexpr double kTurnPad =
     256 * kUnitRoundoff;  ///< of the magnitude; turning there and back rounds
@@ -55,8 +55,8 @@ class Search {
       extents.pad_per_entry = 0;
   }
 
-  /// In units that neither overflow nor vanish. Of flat boxes the one of least area is the
-  /// smallest.
+  /// In units of diagonal_ cubed, which neither overflow nor vanish. A width below flat_ counts as
+  /// flat_, so the flat box with the smallest area is the smallest.
   double volume(const Eigen::Array3d& widths) const {
     return (widths / diagonal_).max(flat_).prod();
   }

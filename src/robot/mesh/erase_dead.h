@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// For maps of meshes, whose names others may invent without end.
+/// Keeps maps of meshes small, because clients may send new names without end.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,12 @@
 
 namespace link_bounds {
 
-/// How many entries a map may have before somebody looks which of them are dead.
+/// Up to this size, a map is not searched for dead entries.
 constexpr std::size_t kManyMeshes = 10000;
 
 /// Once the map has `limit` entries, erases those whose value `is_dead`. The limit becomes twice
-/// what is left, kManyMeshes at least; so an insertion pays for a few looks at most.
+/// the number of entries left, but at least kManyMeshes, so on average an insertion costs only a
+/// few looks.
 template <class Map, class IsDead>
 void eraseDead(Map& map, std::size_t& limit, const IsDead& is_dead) {
   if (map.size() < limit) return;

@@ -19,7 +19,7 @@ bool areEqual(const timespec& a, const timespec& b) {
   return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
 }
 
-/// In seconds; as double, because a file may claim any time.
+/// The time since `time` in seconds, as a double, because a file may claim any time.
 double secondsSince(const timespec& time) {
   timespec now{};
   clock_gettime(CLOCK_REALTIME, &now);

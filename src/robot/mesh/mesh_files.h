@@ -11,7 +11,7 @@
 
 namespace link_bounds {
 
-/// Of all elements, used or not. Files that are not there are left out.
+/// The files of all elements, used or not. Files that do not exist are left out.
 std::vector<std::string> meshFiles(const Robot& robot, const PackagePath& package_path,
                                    const std::string& base_folder);
 

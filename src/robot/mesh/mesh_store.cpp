@@ -41,8 +41,8 @@ LoadedMesh MeshStore::cached(const MeshFile& file) const {
   return {entry.points.lock(), ""};
 }
 
-/// If only triangles or the tree are new, the points that are in use are returned. `files` begins
-/// with the mesh file, and gets the others.
+/// Returns points that are in use already, so that only triangles or the tree are new. `files` has
+/// the mesh file, and gets the other files that the importer opened or looked for.
 LoadedMesh MeshStore::import(const MeshFile& file, const Request& request,
                              FileVersions& files) const {
   try {
@@ -93,7 +93,7 @@ void MeshStore::addTree(const TriangleMesh& mesh, const Request& request,
   }
 }
 
-/// If even the words do not fit into memory, shorter ones that need no allocation.
+/// If even this text does not fit into memory, returns a shorter one that needs no allocation.
 LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcept {
   try {
     LoadedMesh result{nullptr, std::string(reason) + "; " + remedy_(fault)};
@@ -113,7 +113,7 @@ LoadedMesh MeshStore::importAndRemember(const MeshFile& file, const Request& req
   return mesh;
 }
 
-/// If another load has read the same file meanwhile, its points become those of this one.
+/// If another load has read the same file meanwhile, `mesh` gets the points of that load.
 void MeshStore::remember(const MeshFile& file, FileVersions files, const Request& request,
                          LoadedMesh& mesh) {
   const auto in_use = cached(file).points;

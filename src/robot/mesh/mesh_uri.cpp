@@ -79,7 +79,8 @@ MeshFile resolveFileUri(const std::string& rest) {
 bool isBelow(const fs::path& folder, const fs::path& path) {
   const fs::path::iterator other =
       std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first;
-  return other == folder.end() || other->empty();  // it is empty behind a slash at the end
+  return other == folder.end() || other->empty();  // the last part is empty after a slash at the
+                                                   // end
 }
 
 MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,

@@ -7,7 +7,7 @@
 namespace link_bounds {
 namespace {
 
-/// -1 if it is none.
+/// The value of a hexadecimal digit; -1 if it is none.
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// By a hash table over the bits of vertices, in linear time.
+// Uses a hash table over the bits of vertices, which takes linear time.
 #include "robot/mesh/weld.h"
 
 #include <cstring>

@@ -10,22 +10,22 @@
 
 namespace link_bounds {
 
-/// A line, or a direction where no point of it counts.
+/// A line; for translations only its direction counts.
 struct Axis {
   Eigen::Vector3d origin;
   Eigen::Vector3d direction;  ///< unit
 };
 
-/// Balls whose convex hull holds the body, in the frame of the body [m]. The hull exceeds that of
-/// the body where this has cylinders, by half a percent of their radius.
+/// Balls whose convex hull holds the body, in the frame of the body [m]. For cylinders the hull
+/// exceeds that of the body by half a percent of their radius.
 class BodyCloud {
  public:
   explicit BodyCloud(const Body& body);
 
-  /// No point of the body is farther from the axis.
+  /// Upper bound of the distance of the body's points from the axis [m].
   double farthestFrom(const Axis& axis) const;
 
-  /// No point of the body has a larger dot product with `direction`.
+  /// Upper bound of the dot product of the body's points with `direction`.
   double support(const Eigen::Vector3d& direction) const;
 
   const Eigen::Vector3d& center() const { return center_; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The joints between two links as one chain, seen from the first link. No other joint changes how
-// the two are to each other. And boxes of the values of these joints.
+// The joints between two links as one chain, seen from the first link, and boxes of the values of
+// these joints. No other joint changes the relative pose of the two links.
 #pragma once
 
 #include <array>
@@ -17,9 +17,10 @@ namespace link_bounds {
 /// The values of the variables [rad or m].
 using PathValues = std::vector<double>;
 
-/// A joint that can move. Joints on the way up to the common ancestor count backwards.
+/// A joint that can move. Joints on the way up to the common ancestor are passed from child to
+/// parent.
 struct PathJoint {
-  Eigen::Isometry3d before;  ///< from the frame of the joint before it, or the first link
+  Eigen::Isometry3d before;  ///< pose in the frame of the joint before, or of the first link
   Motion motion;             ///< not kNone
   Eigen::Vector3d axis;      ///< unit, in the frame of the joint
   std::size_t variable;      ///< index in JointPath::variables
@@ -35,19 +36,19 @@ struct PlacedPath {
   Eigen::Isometry3d first_from_second;
 };
 
-/// Fixed joints, and those whose range is one value, are parts of the poses between the others.
+/// Fixed joints, and those whose range is one value, are part of the transforms between the others.
 struct JointPath {
   std::vector<std::size_t> variables;  ///< joints of the robot that move and mimic no other one
   std::vector<Limits> ranges;          ///< one per variable
-  std::vector<std::size_t> unknown;    ///< joints of the robot on the way, without known ranges
-  /// Values other than 0 of joints on which the way depends and that cannot move [rad or m].
+  std::vector<std::size_t> unknown;    ///< joints of the robot on the path, without known ranges
+  /// The values of joints on which the path depends and that cannot move, if not 0 [rad or m].
   std::map<std::size_t, double> resting;
   std::vector<PathJoint> joints;                            ///< from the first link to the second
   Eigen::Isometry3d after = Eigen::Isometry3d::Identity();  ///< from the last joint to the second
-  double length = 0;      ///< of all links of the chain and all prismatic ranges [m]
-  std::size_t count = 0;  ///< of joints of any kind
+  double length = 0;  ///< sum of all link offsets and the max |value| of each prismatic joint [m]
+  std::size_t count = 0;  ///< number of joints of any kind
 
-  /// Several joints depend on the variable.
+  /// True if several joints depend on the variable.
   bool isShared(std::size_t variable) const;
 
   /// The pose of the second link in the frame of the first.
@@ -60,8 +61,7 @@ struct JointPath {
 JointPath jointPath(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t first,
                     std::size_t second);
 
-/// Joint values: those of the variables of a path that differ from the centre by at most the half
-/// widths.
+/// A box of joint values: those that differ from the centre by at most the half widths.
 struct JointBox {
   PathValues center;
   PathValues half_widths;
@@ -71,7 +71,7 @@ inline double width(const Limits& range) {
   return range.upper - range.lower;
 }
 
-/// All values of the path.
+/// The box of the whole ranges of the path.
 JointBox wholeBox(const JointPath& path);
 
 /// The half with smaller values of the variable, and the other one.

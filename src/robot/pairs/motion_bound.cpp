@@ -13,10 +13,11 @@ namespace {
 /// Relative rounding of a joint value: that of the centres after some 60 halvings of a range.
 constexpr double kHalvings = 1e-14;
 
-/// More joints on one side have too many corners.
+/// Max number of joints on one side for gapAlong(): more have too many corners.
 constexpr std::size_t kMaxCornerJoints = 6;
 
-/// A test builds an engine that moves too little, which a check of its proofs has to find.
+/// A test compiles this with a smaller share, so that motions are too small. Its check of the
+/// proofs has to find that.
 #ifndef LINK_BOUNDS_SHARE_OF_MOTION
 #define LINK_BOUNDS_SHARE_OF_MOTION 1
 #endif
@@ -66,7 +67,7 @@ void MotionBound::measure(Side& side, std::size_t joint) {
   side.moves.push_back(kShare * move);
 }
 
-/// No point of the body is farther from the axis [m].
+/// Upper bound of the distance of the body's points from the axis [m].
 double MotionBound::lever(const Side& side, std::size_t joint) const {
   const std::size_t own = &side == &first_ ? 0 : path_.joints.size() - 1;
   if (joint == own) return side.own_lever;
@@ -75,8 +76,8 @@ double MotionBound::lever(const Side& side, std::size_t joint) const {
   return side.body->farthestFrom({to_body * axis.origin, to_body.linear() * axis.direction});
 }
 
-/// The first joints move the first body, the others the second one, divided where that moves both
-/// least.
+/// Cuts the path where the sum of both motions is smallest. The joints before the cut move the
+/// first body, the others the second one.
 void MotionBound::chooseCut() {
   const std::size_t count = path_.joints.size();
   for (Side* side : {&first_, &second_}) {
@@ -149,7 +150,8 @@ double MotionBound::farthestAlong(const Side& side, const BodyCloud& part,
   return farthest + remainder(side);
 }
 
-/// From the body outward: `beyond` is what the joints nearer to the body move a point.
+/// The bound of |R|, see motion_bound.h. Goes from the body outward: `beyond` is how far the joints
+/// nearer to the body move a point [m].
 double MotionBound::remainder(const Side& side) const {
   double sum = 0;
   double beyond = 0;

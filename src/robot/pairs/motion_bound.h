@@ -3,9 +3,10 @@
 // How far two bodies can move towards each other while the joints between them move in a box around
 // one pose.
 //
-// Let 0 .. n-1 be the joints of the path from the first body A to the second body B, each in
-// [c_j - w_j, c_j + w_j], and let n be a number of joints that count as moving A; the others move
-// B. So the link between them rests, and the axes of all joints are where they are at c.
+// Let 0 .. n-1 be the joints of the path from the first body A to the second body B, with values in
+// [c_j - w_j, c_j + w_j], and cut the path at one link: the joints before it count as moving A,
+// those after it as moving B. So this link rests, and the axes of all joints begin where they are
+// at c.
 //
 // First bound. Take B from c to any pose of the box one joint at a time, the joint nearest to the
 // resting link first. While joint j turns, the joints between it and B are still at c, so a point
@@ -29,12 +30,13 @@
 
 namespace link_bounds {
 
-/// A pair of bodies on the first and the second link of a path. Refers to all three.
+/// A pair of bodies on the first and the second link of a path. Refers to its arguments.
 class MotionBound {
  public:
   MotionBound(const JointPath& path, const BodyCloud& first, const BodyCloud& second);
 
-  /// All that follows is about this box. `placed` is the path at its centre.
+  /// The members below are about this box. `placed` is the path at its centre, and must live until
+  /// the next call.
   void set(const JointBox& box, const PlacedPath& placed);
 
   /// The distance of the bodies anywhere in the box is at least that at the centre less this [m].
@@ -49,7 +51,7 @@ class MotionBound {
   double gapAlong(const Eigen::Vector3d& normal, const BodyCloud& first,
                   const BodyCloud& second) const;
 
-  /// What rounding of poses can make a distance too large by [m].
+  /// Rounding of poses makes a distance too large by at most this [m].
   double rounding() const { return rounding_; }
 
  private:
@@ -58,8 +60,8 @@ class MotionBound {
     const BodyCloud* body;
     Eigen::Isometry3d from_body;  ///< to the frame of the first link, at the centre
     std::vector<std::size_t> joints;
-    std::vector<double> moves;  ///< of each joint, how far it moves a point of the body [m]
-    double own_lever = 0;       ///< of the joint next to the body, the same in all poses [m]
+    std::vector<double> moves;  ///< by joint: max motion of a point of the body [m]
+    double own_lever = 0;       ///< lever of the joint next to the body, the same in all poses [m]
   };
 
   void measure(Side& side, std::size_t joint);

@@ -5,10 +5,10 @@
 namespace link_bounds {
 namespace {
 
-/// Of more shapes, only the hull of all of them is compared.
+/// For a body of more shapes, only the hull of all of them is compared.
 constexpr std::size_t kMaxParts = 12;
 
-/// Of a pose that is not rigid, as in a scaled mesh, the skin would not be known.
+/// At a pose that is not rigid, as in a scaled mesh, the skin would not be known.
 constexpr double kRigid = 1e-12;
 
 PairHull hullOf(const Body& body) {
@@ -18,7 +18,7 @@ PairHull hullOf(const Body& body) {
   return {std::make_shared<const Body>(std::move(hull)), BodyCloud(body)};
 }
 
-/// Of a box, a ball or a cylinder: each shrinks by the skin on all sides.
+/// Adds the core of a box, a ball or a cylinder, which is smaller by the skin on all sides.
 void addCore(const BodyShape& body_shape, std::vector<SolidCore>& cores) {
   const Shape& shape = body_shape.shape;
   if (shape.solid == Solid::kNone || shape.points || body_shape.triangles || body_shape.tip) return;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A link as every search with it needs it, and points that prove that two of them touch.
+// A link with the data that every search needs, and points that prove that two links touch.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,7 @@ struct PairHull {
   BodyCloud cloud;
 };
 
-/// A solid is no surface. This is it without its skin: a ball of radius `skin` around each point of
-/// `body` lies in the solid.
+/// A solid without its skin: a ball of radius `skin` around each point of `body` lies in the solid.
 struct SolidCore {
   Body body;
   double skin;  ///< m
@@ -34,11 +33,12 @@ struct PairBody {
 
 PairBody pairBody(const Body& body);
 
-/// The hull of each shape, or that of all.
+/// The hulls of the single shapes if there are any, else the hull of the body.
 std::vector<const PairHull*> partsOf(const PairBody& body);
 
-/// A point of the core of one body that is within `max_distance` [m] and the skin of that core of a
-/// point of the other body. In the frame of the first one; nothing if there are no two such points.
+/// A point of a core of one body and a point of the other body whose distance is at most
+/// `max_distance` [m] plus the skin of that core. In the frame of the first body; nothing if there
+/// are no such points.
 std::optional<BodyDistance> coreContact(const PairBody& first, const PairBody& second,
                                         const Eigen::Affine3d& first_from_second,
                                         double max_distance);

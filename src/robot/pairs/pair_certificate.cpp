@@ -19,10 +19,10 @@ constexpr double kFinestDistance = 1e-8;  // m
 constexpr double kMargin = 1e-8;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// A direction with fewer digits is as good, and shorter.
+/// Directions are rounded to multiples of 1 / kDigits, which is as good, and shorter to write.
 constexpr double kDigits = 1e6;
 
-/// Half of a share of a motion that is not halved further.
+/// An interval of shares is not halved further if its half is shorter than this.
 constexpr double kShortest = 1e-9;
 
 struct Shares {
@@ -30,8 +30,8 @@ struct Shares {
   double half;
 };
 
-/// Writes a tree. `close` writes what closes a box, or is false; `halve` writes what is halved and
-/// gives the halves, that with smaller values first, or nothing.
+/// Writes a tree. `close` writes the proof for a box, or returns false. `halve` writes the variable
+/// that is halved and returns the halves, the one with smaller values first, or nothing.
 template <typename Box, typename Close, typename Halve>
 bool writeHalved(const Box& whole, const Close& close, const Halve& halve,
                  const std::function<bool()>& is_over, std::ostream& out) {
@@ -90,7 +90,7 @@ bool PairCertificate::writeTree(const BoxOfShares& box_of, const std::function<b
   return writeHalved(Shares{0.5, 0.5}, close, halve, is_over, out);
 }
 
-/// False if the box must be halved.
+/// Writes the proof for a box. False if the box must be halved.
 bool PairCertificate::writeClosing(const JointBox& box, std::ostream& out) {
   path_.place(box.center, placed_);
   motion_.set(box, placed_);
@@ -133,7 +133,8 @@ bool PairCertificate::writeContact(std::ostream& out) {
   return true;
 }
 
-/// True if the two are that far apart along it anywhere in the box.
+/// Writes the direction and returns true if the two are as far apart along it as claimed, anywhere
+/// in the box.
 bool PairCertificate::writeDirection(Eigen::Vector3d direction, const PairHull& first,
                                      const PairHull& second, std::ostream& out) const {
   const double length = direction.norm();
@@ -151,7 +152,7 @@ bool PairCertificate::writeDirection(Eigen::Vector3d direction, const PairHull& 
   return true;
 }
 
-/// One for each two shapes.
+/// Writes a direction for each pair of shapes.
 bool PairCertificate::writeDirections(std::ostream& out) const {
   if (first_.parts.empty() && second_.parts.empty()) return false;
   std::ostringstream text;
@@ -165,7 +166,7 @@ bool PairCertificate::writeDirections(std::ostream& out) const {
   return true;
 }
 
-/// In which they are as far apart as in hardly any other one; zero if they touch.
+/// A direction along which the hulls are nearly as far apart as possible; zero if they touch.
 Eigen::Vector3d PairCertificate::directionOf(const PairHull& first, const PairHull& second) const {
   const auto distance = bodyDistance(*first.body, Eigen::Affine3d::Identity(), *second.body,
                                      Eigen::Affine3d(placed_.first_from_second),

@@ -12,34 +12,35 @@
 
 namespace link_bounds {
 
-/// What is certified of all poses: that the bodies are farther apart, or within that distance [m].
+/// What is certified for all poses: that the bodies are farther apart than `distance` [m] or, for a
+/// contact, within it.
 struct PairClaim {
   bool is_contact;
   double distance;
 };
 
-/// The values of a path's variables while a share of a motion is within `half` of `middle`.
+/// The box of a path's variables while the share of a motion is within `half` of `middle`.
 using BoxOfShares = std::function<JointBox(double middle, double half)>;
 
 /// Halves the box of all joint values until the claim is proven in each part. Refers to the bodies.
 class PairCertificate {
  public:
-  /// The claim is less than what is proven. All ranges of the path must be known.
+  /// The claim must be weaker than what is proven. All ranges of the path must be known.
   PairCertificate(JointPath path, const PairBody& first, const PairBody& second, PairClaim claim);
   PairCertificate(const PairCertificate&) = delete;
   PairCertificate& operator=(const PairCertificate&) = delete;
 
   const JointPath& path() const { return path_; }
 
-  /// Writes the tree as a JSON array, a box before its halves and that with smaller values first:
-  /// the variable that is halved, or what closes the box. That is a direction [x, y, z] from the
-  /// first body to the second in the frame of the first, a list of such, for each shape of the
-  /// first body one for each of the second, or "mesh"; of contact, a point of the first body and
-  /// one of the second, each in the frame of its body. False, with a part of the tree, if there are
-  /// too many boxes or `is_over` says so.
+  /// Writes the tree as a JSON array, a box before its halves, and the half with smaller values
+  /// first. An entry is the index of the variable that is halved, or the proof for the box. For a
+  /// gap, the proof is a direction [x, y, z] from the first body to the second in the frame of the
+  /// first; or a list of such directions, one per pair of shapes; or "mesh". For a contact, it is a
+  /// point of the first body and one of the second, each in the frame of its body. Returns false,
+  /// with a part of the tree, if there are too many boxes or `is_over` returns true.
   bool writeTree(const std::function<bool()>& is_over, std::ostream& out);
 
-  /// The same of a motion. The one variable is its share, from 0 to 1.
+  /// The same for a motion, whose only variable is its share, from 0 to 1.
   bool writeTree(const BoxOfShares& box_of, const std::function<bool()>& is_over,
                  std::ostream& out);
 

@@ -16,10 +16,10 @@ constexpr const char* kVerdicts[kVerdictCount] = {
     "NEVER", "ALWAYS", "TOUCHING", "CONTACT_SAMPLED", "SOMETIMES", "UNDECIDED", "ADJACENT"};
 
 /// Which links are joined so closely that MoveIt never checks them for collisions. Refers to the
-/// robot. Links by their index in BoundedRobot::links.
+/// robot. Links are given by their index in BoundedRobot::links.
 ///
-/// Joints stand from the root outward: a link whose joint stands later is never above the other
-/// one.
+/// Joints are sorted from the root outward, so a link whose joint comes later is never above the
+/// other link.
 class LinkNeighbours {
  public:
   LinkNeighbours(const Robot& robot, const BoundedRobot& bounded)
@@ -34,20 +34,20 @@ class LinkNeighbours {
       has_geometry_[link] = true;
   }
 
-  /// Fixed joints connect the two, over any number of links.
+  /// True if fixed joints connect the two, over any number of links.
   bool areRigid(std::size_t first, std::size_t second) const {
     return rigid_.of_links[links_[first]] == rigid_.of_links[links_[second]];
   }
 
-  /// A joint is between the two: links without geometry are looked through, and so are fixed joints
-  /// at them. At most one of the joints can move, and no link with geometry stands between.
+  /// True if no link with geometry is between the two, and at most one joint between them can move.
+  /// The parts of a floating or planar joint count as one joint.
   bool areAdjacent(std::size_t first, std::size_t second) const {
     const auto isBetween = [&](std::size_t link) {
       return has_geometry_[link] && link != links_[first] && link != links_[second];
     };
     std::size_t a = links_[first];
     std::size_t b = links_[second];
-    std::string counted;  // the floating or planar joint of which this one is a part
+    std::string counted;  // floating or planar joint that the last joint is a part of
     for (int movable = 0; a != b;) {
       std::size_t& lower = joints_above_[a] > joints_above_[b] ? a : b;
       if (isBetween(lower)) return false;
@@ -63,13 +63,15 @@ class LinkNeighbours {
 
  private:
   const Robot& robot_;
-  std::vector<std::size_t> links_;  ///< in the robot
+  std::vector<std::size_t> links_;  ///< indices in Robot::links
   RigidBodies rigid_;
-  std::vector<std::size_t> joints_above_;  ///< of each link of the robot, plus one; 0: the root
-  std::vector<bool> has_geometry_;         ///< of each link of the robot
+  std::vector<std::size_t> joints_above_;  ///< by link: index of the joint above it plus 1; 0: the
+                                           ///< root
+  std::vector<bool> has_geometry_;         ///< by link of the robot
 };
 
-/// The pairs that the report lists. Those of joined links are kAdjacent; the others are open.
+/// The pairs that the report lists. Those of joined links are kAdjacent; the others have no verdict
+/// yet.
 std::vector<PairProof> chosenPairs(const Robot& robot, const BoundedRobot& bounded,
                                    PairChoice choice) {
   const LinkNeighbours neighbours(robot, bounded);
@@ -112,7 +114,7 @@ class Prover {
     }
   }
 
-  /// Null where a link has no shape, and where nothing can be known.
+  /// Null if a link has no shape or the range of a joint is not known.
   std::unique_ptr<PairSearch> begin(std::size_t pair) {
     PairProof& proof = proofs_[pair];
     const PairBody& first = bodies_[proof.first];

@@ -41,7 +41,7 @@ void PairQueue::run() {
   }
 }
 
-/// What each thread does.
+/// The loop of each thread.
 void PairQueue::work() {
   while (Task* task = take()) {
     if (!task->search) task->search = work_.begin(task->pair);
@@ -51,7 +51,7 @@ void PairQueue::work() {
   }
 }
 
-/// Null if there is nothing left that no other thread works on.
+/// The next task; null if none is waiting or the control says that it is over.
 PairQueue::Task* PairQueue::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (control_.is_over() || waiting_.empty()) return nullptr;
@@ -61,7 +61,8 @@ PairQueue::Task* PairQueue::take() {
   return task;
 }
 
-/// Until the turn is over or the pair is decided, which ends a search that has found a collision.
+/// Works until the turn is over or the pair becomes decided. After a collision it goes on, because
+/// such a search is done after its next slice.
 void PairQueue::advance(Task& task) const {
   PairSearch& search = *task.search;
   const std::size_t end = search.slices() + (kFirstTurn << task.turns);
@@ -97,7 +98,8 @@ void PairQueue::note(Task& task) {
   if (control_.progress) control_.progress(decided_, tasks_.size());
 }
 
-/// A search that began again may have done less than the one before, and does the same.
+/// A search that began again repeats the same work. It is not stored until it has done as much as
+/// the stored one.
 void PairQueue::store(Task& task) const {
   if (task.search->slices() < task.stored_slices) return;
   task.stored_slices = task.search->slices();

@@ -18,11 +18,11 @@
 
 namespace link_bounds {
 
-/// Several threads call both members, for one pair one after the other.
+/// Both are called by several threads, but for one pair one call after the other.
 struct PairWork {
   /// Null if the pair cannot be searched.
   std::function<std::unique_ptr<PairSearch>(std::size_t pair)> begin;
-  /// Called for what is known of a pair; a further call knows more.
+  /// Stores what is known of a pair so far; a later call knows more.
   std::function<void(std::size_t pair, const PairSearch& search)> store;
 };
 
@@ -30,18 +30,19 @@ class PairQueue {
  public:
   PairQueue(const std::vector<std::size_t>& pairs, PairWork work, const ProofControl& control);
 
-  /// On all threads, until nothing is left or it is over. Throws what one of them threw.
+  /// Works on all threads, until no task is left or the control says that it is over. Rethrows an
+  /// exception of any thread.
   void run();
 
  private:
   struct Task {
     std::size_t pair = 0;
     std::unique_ptr<PairSearch> search = nullptr;
-    std::size_t stored_slices = 0;  ///< of work that the last stored search had done
+    std::size_t stored_slices = 0;  ///< slices that the stored search had done
     int turns = 0;
     bool is_decided = false;
   };
-  /// A task that comes later.
+  /// True if `a` comes after `b`.
   struct IsLater {
     bool operator()(const Task* a, const Task* b) const;
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// First poses that collide are looked for: random ones, then downhill from the nearest of these.
-// Then boxes of joint values are halved, that with the smallest bound first.
+// First looks for poses that collide: random ones, then downhill from the nearest of these. Then
+// halves boxes of joint values, the one with the smallest bound first.
 #include "robot/pairs/pair_search.h"
 
 #include <algorithm>
@@ -14,44 +14,46 @@ namespace {
 
 /// The pairs of the Panda and of the UR5e are decided alike with 30 to 3,000 samples and 1 to 30
 /// descents. Ten times as many samples take 2 to 2.6 times as many instructions, ten times as many
-/// descents 2.9 times. Few find less in robots with more joints.
+/// descents 2.9 times. Fewer would find less in robots with more joints.
 constexpr int kSamples = 300;
 constexpr std::size_t kDescents = 3;
 constexpr int kDescentSteps = 3000;
 
-/// Between two pairs that are worked on in turn.
+/// The work of one slice, after which another pair may have its turn.
 constexpr int kSamplesPerSlice = 30;
 constexpr int kBranchesPerSlice = 30;
 
-/// A pair that takes as many slices of branching is also searched with fewer joints, and that gets
-/// all but one of so many further slices.
+/// A pair that has taken this many slices of branching is also searched with fewer joints, which
+/// gets all but one of kSweepShare further slices.
 constexpr std::size_t kSlicesBeforeSweep = 20;
 constexpr std::size_t kSweepShare = 4;
 
-/// With other values of the joint that was left out.
+/// Poses that are tried for a hint of SweptSearch, with other values of the joints that it leaves
+/// out.
 constexpr int kHintedPoses = 30;
 
 /// Max steps of a search for a proof that every pose collides, or that every pose touches.
 constexpr int kMaxOpenSteps = 20000;
 
-/// A proof that every pose touches is given up after so many if it would take more than all.
+/// A proof that every pose touches is given up after so many steps if, at this rate, it would take
+/// more than kMaxOpenSteps.
 constexpr int kTrialSteps = 500;
 
-/// Further boxes are searched in depth, which needs little memory.
+/// Max boxes in the queue; further ones are searched depth first, which needs little memory.
 constexpr std::size_t kMaxNodes = 20000;
 constexpr std::size_t kMaxNodeBytes = 16'000'000;
 
 /// Memory of a search without nodes and samples: two BodyDistances and the rest.
 constexpr std::size_t kBytes = 50'000;
 
-/// A pose that is nearer by so much is the start of another descent.
+/// A pose whose distance is below this share of the smallest one so far starts another descent.
 constexpr double kNews = 0.95;
 
 /// First and last step of a descent, as shares of the range of a joint.
 constexpr double kFirstStep = 0.1;
 constexpr double kLastStep = 1e-9;
 
-/// A pose that is farther than the tolerance by less is measured [m].
+/// A distance is measured, whatever the limit, if it exceeds the tolerance by less than this [m].
 constexpr double kFinest = 1e-3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -121,7 +123,7 @@ void PairSearch::advance() {
   if (!sweep()) branch();
 }
 
-/// False if its turn has not come, or it ends nothing.
+/// Advances the search with fewer joints. False if this slice is not its turn, or if it is done.
 bool PairSearch::sweep() {
   ++branch_slices_;
   if (!may_sweep_ || branch_slices_ < kSlicesBeforeSweep || branch_slices_ % kSweepShare == 0)
@@ -137,7 +139,8 @@ bool PairSearch::sweep() {
   return true;
 }
 
-/// Downhill from there, with the other variables where they bring the bodies nearest to each other.
+/// Starts a descent at the hinted values, with the other variables where they bring the bodies
+/// nearest to each other.
 void PairSearch::follow(const std::map<std::size_t, double>& hint) {
   if (hint.empty()) return;
   KnownPose best;
@@ -166,7 +169,7 @@ void PairSearch::finish() {
   swept_ = nullptr;
 }
 
-/// To a few digits, where these collide, too.
+/// Rounds the nearest pose to a few digits if the rounded one collides, too.
 void PairSearch::shortenPose() {
   for (double steps = 100; collides() && steps < 1e7; steps *= 100) {
     PathValues values;
@@ -182,7 +185,7 @@ void PairSearch::shortenPose() {
   }
 }
 
-/// Collisions are common at the ends of ranges.
+/// Tries random poses, with many values at the ends of ranges, where collisions are common.
 void PairSearch::sample() {
   std::uniform_real_distribution<double> uniform(0, 1);
   const double limit = starts_.size() < kDescents ? kInfinity : starts_.front().upper;
@@ -220,9 +223,9 @@ void PairSearch::offer(const KnownPose& pose) {
   if (pose.upper < nearest_.upper) nearest_ = pose;
 }
 
-/// Steps along one variable or, in the valleys of the distance, along any direction; smaller ones
-/// where none of these leads downhill. After a step that led downhill comes the same way once more,
-/// with half of the ways before it: so a descent follows a valley.
+/// Takes steps along one variable or, in a valley of the distance, along any direction, and halves
+/// them when none leads downhill. After a step that led downhill, it first repeats that step plus
+/// half of the trend before it, so that a descent follows a valley.
 void PairSearch::descend(KnownPose pose) {
   const std::size_t count = path().variables.size();
   const PathValues none(count, 0.0);
@@ -247,7 +250,7 @@ void PairSearch::descend(KnownPose pose) {
   offer(pose);
 }
 
-/// The first ways are both along each variable, further ones are random.
+/// The first steps go both ways along each variable; further ones have random directions.
 PathValues PairSearch::way(double step, std::size_t direction) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const std::size_t count = path().variables.size();
@@ -260,7 +263,7 @@ PathValues PairSearch::way(double step, std::size_t direction) {
   return result;
 }
 
-/// Within the ranges.
+/// The values after a step, clamped to the ranges.
 PathValues PairSearch::moved(PathValues values, const PathValues& way) const {
   for (std::size_t v = 0; v < values.size(); ++v) {
     const Limits& range = path().ranges[v];
@@ -269,7 +272,7 @@ PathValues PairSearch::moved(PathValues values, const PathValues& way) const {
   return values;
 }
 
-/// A box with that bound needs no more halving.
+/// A box whose bound is at least this is not halved further [m].
 double PairSearch::enough() const {
   return std::max(nearest_.upper - goal_.accuracy, goal_.clearance + PairGoal::kProof);
 }
@@ -313,7 +316,7 @@ PairSearch::Node PairSearch::take() {
   return node;
 }
 
-/// Cheap bounds first.
+/// A lower bound of the distance in the box [m]; cheap bounds are tried first.
 double PairSearch::bound(const JointBox& box) {
   pair_.enter(box);
   const double motion = pair_.motion();
@@ -333,7 +336,8 @@ double PairSearch::bound(const JointBox& box) {
   return std::max(lower, distance->lower - motion);
 }
 
-/// Every pose that was tried is near enough, and more is not yet proven or given up.
+/// True if every pose that was tried touches, and the proof for all poses is neither complete nor
+/// given up.
 bool PairSearch::mayTouch() const {
   return !was_apart_ && aim_ != Contact::kNone;
 }
@@ -371,7 +375,7 @@ void PairSearch::beginContact() {
   closed_ = 0;
 }
 
-/// The next aim is weaker.
+/// Ends the proof of the current aim. The next aim is weaker.
 void PairSearch::endContact(bool is_proven) {
   if (is_proven) contact_ = aim_;
   const bool is_last = is_proven || aim_ == Contact::kTouching;
@@ -379,8 +383,8 @@ void PairSearch::endContact(bool is_proven) {
   beginContact();
 }
 
-/// Proven: the two stay within `max_distance`, or a point of one body stays in the skin around the
-/// core of the other one.
+/// True if it is proven that the two stay within `max_distance` in the box, or that a point of one
+/// body stays in the skin around the core of the other one.
 bool PairSearch::isContactIn(const JointBox& box) {
   pair_.enter(box);
   const double motion = pair_.motion();

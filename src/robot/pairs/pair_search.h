@@ -15,7 +15,7 @@
 
 namespace link_bounds {
 
-/// Where the distance of the bodies is between two proven bounds.
+/// A pose with two proven bounds of the distance of the bodies [m].
 struct KnownPose {
   PathValues values;
   double lower = 0;
@@ -27,43 +27,43 @@ class SweptSearch;
 /// One pair, searched in slices. All ranges of the path must be known. Refers to the bodies.
 class PairSearch {
  public:
-  /// With `may_sweep` a pair that takes long is also searched as SweptSearch does.
+  /// With `may_sweep` a pair that takes long is also searched by SweptSearch.
   PairSearch(JointPath path, const PairBody& first, const PairBody& second, const PairGoal& goal,
              bool may_sweep = true);
   ~PairSearch();
   PairSearch(const PairSearch&) = delete;
   PairSearch& operator=(const PairSearch&) = delete;
 
-  /// Some of the work.
+  /// Does one slice of the work.
   void advance();
 
-  /// Nothing is left that could be done.
+  /// True if no work is left.
   bool isDone() const { return is_done_; }
-  /// What is left can only raise clearance().
+  /// True if the remaining work can only raise clearance().
   bool isDecided() const {
     return is_done_ || isFree() || alwaysTouches() || (collides() && was_apart_);
   }
   bool collides() const;
-  /// No pose in the ranges collides.
+  /// Proven: no pose in the ranges collides.
   bool isFree() const;
   bool alwaysCollides() const { return contact_ == Contact::kColliding; }
-  /// No pose in the ranges is farther apart than PairGoal::touching.
+  /// Proven: no pose in the ranges is farther apart than PairGoal::touching.
   bool alwaysTouches() const { return contact_ != Contact::kNone; }
-  /// A pose was found that does not collide.
+  /// True if a pose was found that does not collide.
   bool hasFreePose() const { return was_free_; }
-  /// All random poses were tried, or the only pose that there is.
+  /// True if all random poses were tried, or the only pose that there is.
   bool isSampled() const;
-  /// isSampled(), and descents from the nearest of these poses have ended.
+  /// True if isSampled(), and descents from the nearest of these poses have ended.
   bool isExplored() const { return isSampled() && starts_.empty(); }
   std::size_t poses() const { return poses_; }  ///< that were tried
 
-  /// No pose in the ranges has a smaller distance [m].
+  /// Proven: no pose in the ranges has a smaller distance [m].
   double clearance() const;
   const KnownPose& nearest() const { return nearest_; }
   const JointPath& path() const { return pair_.path(); }
 
   std::size_t slices() const { return slices_; }  ///< calls of advance()
-  /// In memory, roughly.
+  /// Memory in use, roughly.
   std::size_t bytes() const;
 
  private:
@@ -81,7 +81,7 @@ class PairSearch {
   void descend(KnownPose pose);
   PathValues moved(PathValues values, const PathValues& way) const;
   PathValues way(double step, std::size_t direction);
-  /// Of a pose that is farther than the limit it is only known that it is.
+  /// If the distance exceeds `limit`, only that is known of it.
   KnownPose measured(const PathValues& values,
                      double limit = std::numeric_limits<double>::infinity());
   void offer(const KnownPose& pose);
@@ -105,20 +105,21 @@ class PairSearch {
   PlacedPair pair_;
   PairGoal goal_;
   std::mt19937_64 random_;
-  std::vector<KnownPose> starts_;  ///< of descents
+  std::vector<KnownPose> starts_;  ///< from which descents begin
   int samples_ = 0;
   std::size_t max_nodes_ = 0;
   KnownPose nearest_;
   std::size_t poses_ = 0;
   std::size_t slices_ = 0;
   bool was_free_ = false;   ///< in a pose that was tried
-  bool was_apart_ = false;  ///< likewise, and farther than PairGoal::touching
+  bool was_apart_ = false;  ///< in a pose that was tried: farther apart than PairGoal::touching
   std::priority_queue<Node> nodes_;
-  std::vector<Node> latest_;  ///< searched first, so that memory is bounded
+  std::vector<Node> latest_;  ///< boxes beyond max_nodes_; searched first, so that memory is
+                              ///< bounded
   double dropped_ = std::numeric_limits<double>::infinity();  ///< smallest bound of dropped nodes
-  Contact aim_ = Contact::kColliding;                         ///< what is tried to be proven
-  Contact contact_ = Contact::kNone;                          ///< what is proven of all poses
-  std::vector<JointBox> open_;                                ///< where the aim is not proven
+  Contact aim_ = Contact::kColliding;                         ///< what this search tries to prove
+  Contact contact_ = Contact::kNone;                          ///< what is proven for all poses
+  std::vector<JointBox> open_;  ///< in which the aim is not yet proven
   int open_steps_ = 0;
   double closed_ = 0;  ///< share of the ranges where the aim is proven
   bool may_sweep_;

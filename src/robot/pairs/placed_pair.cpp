@@ -40,7 +40,7 @@ double PlacedPair::ballGap() const {
   const BodyCloud& b = second().hull.cloud;
   const Eigen::Vector3d between = placed_.first_from_second * b.center() - a.center();
   const double gap = length(between.x(), between.y(), between.z()) - a.radius() - b.radius();
-  return std::isfinite(gap) ? gap : 0;  // beyond the largest number nothing is proven
+  return std::isfinite(gap) ? gap : 0;  // an overflow proves nothing
 }
 
 std::optional<BodyDistance> PlacedPair::distance(const DistanceGoal& goal) {

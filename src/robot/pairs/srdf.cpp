@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// By tinyxml2, which also escapes names.
+// Uses tinyxml2, which also escapes names.
 #include "robot/pairs/srdf.h"
 
 #include <tinyxml2.h>
@@ -16,7 +16,7 @@ constexpr char kElement[] = "disable_collisions";
 constexpr char kOfLink[] = "disable_default_collisions";
 constexpr char kException[] = "enable_collisions";
 
-/// Whether it says which pairs need no check.
+/// Whether the element says which pairs need no check.
 bool isOfPairs(const tinyxml2::XMLElement& element) {
   const std::string name = element.Name();
   return name == kElement || name == kOfLink || name == kException;
@@ -27,7 +27,7 @@ bool isOfPairs(const tinyxml2::XMLElement& element) {
                   (line > 0 ? ", line " + std::to_string(line) : std::string()) + ": " + reason);
 }
 
-/// A URDF has the same root, and a misspelled element would disable nothing.
+/// Refuses a URDF, which has the same root, and misspelled elements, which would disable nothing.
 void refuseOther(const tinyxml2::XMLElement& element, const std::string& file) {
   const std::string name = element.Name();
   const bool is_of_urdf = element.FirstChildElement("visual") ||
@@ -59,14 +59,14 @@ std::string linkOf(const tinyxml2::XMLElement& element, const char* attribute, c
   return name;
 }
 
-/// Two hyphens would end a comment.
+/// The text as a comment. Two hyphens would end it, so a blank separates them.
 std::string commentOf(std::string text) {
   for (std::size_t at = 0; (at = text.find("--", at)) != std::string::npos; ++at)
     text.insert(at + 1, " ");
   return " " + text + " ";
 }
 
-/// They belong to the document.
+/// The XML nodes of a line. They belong to `document`.
 std::vector<tinyxml2::XMLNode*> nodesOf(const SrdfLine& line, tinyxml2::XMLDocument& document) {
   std::vector<tinyxml2::XMLNode*> nodes;
   if (!line.comment.empty()) nodes.push_back(document.NewComment(commentOf(line.comment).c_str()));

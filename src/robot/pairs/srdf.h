@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pairs that a SRDF exempts from collision checks, and a SRDF with other ones.
+// The pairs that a SRDF exempts from collision checks, and how to write other ones into a SRDF.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ class SrdfError : public std::runtime_error {
 struct DisabledPair {
   std::string first;
   std::string second;
-  std::string reason;  ///< as written; may be empty; kByDefault
+  std::string reason;  ///< as written, or kByDefault; may be empty
 };
 
 /// The reason of links that always collide.
@@ -34,16 +34,17 @@ constexpr char kAlwaysReason[] = "Always";
 /// but for the pairs of <enable_collisions>.
 constexpr char kByDefault[] = "Default";
 
-/// In the order of the text, then those by default; all other elements are left out. `file` is
-/// named in errors. Throws SrdfError for a text that is no SRDF, such as a URDF, for a second root,
-/// for elements of two links with another name, and for names that are no link of the robot.
+/// The disabled pairs in the order of the text, then those by default. All other elements are
+/// ignored. `file` is named in errors. Throws SrdfError for a text that is no SRDF, such as a URDF,
+/// for a second root, for other elements that name two links, and for names that are no link of the
+/// robot.
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
                                     const std::string& file);
 
 /// A warning if the SRDF, which parseSrdf() has accepted, names another robot; "" if it does not.
 std::string otherRobotWarning(const std::string& text, const Robot& robot, const std::string& file);
 
-/// By the names of links, in either order.
+/// Finds exempt pairs by the names of links, in either order.
 class Exemptions {
  public:
   explicit Exemptions(const std::vector<DisabledPair>& pairs);
@@ -51,7 +52,7 @@ class Exemptions {
   /// The reason of the exemption, "Always" rather than another one; null if there is none.
   const std::string* reasonOf(const std::string& first, const std::string& second) const;
 
-  /// All, once each.
+  /// All exempt pairs, each once.
   std::vector<DisabledPair> pairs() const;
 
  private:
@@ -64,7 +65,7 @@ struct SrdfLine {
   std::string comment = {};                         ///< before the element; "" = none
 };
 
-/// XML.
+/// The line as XML.
 std::string toSrdf(const SrdfLine& line);
 
 /// The SRDF `text`, which parseSrdf() has accepted, with these lines in place of its elements of

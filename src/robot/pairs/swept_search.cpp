@@ -12,19 +12,19 @@
 namespace link_bounds {
 namespace {
 
-/// More fit better, and take longer to compare. Neighbours become one cylinder where that adds no
-/// more to a radius than this share.
+/// Slabs per shape: more fit better, and take longer to compare. Adjacent slabs become one cylinder
+/// if that adds no more than the share kAdded to a radius.
 constexpr std::size_t kSlabs = 64;
 constexpr double kAdded = 0.03;
 
-/// Along the axis from `low` to `high` no point is farther from it than the radius.
+/// Between `low` and `high` along the axis, no point is farther from the axis than `radius` [m].
 struct Slab {
   double low;
   double high;
   double radius = -1;  ///< negative: there is no point
 };
 
-/// Those of which the radius hardly differs are one.
+/// Merges adjacent slabs whose radii hardly differ.
 std::vector<Slab> merged(const std::vector<Slab>& slabs) {
   std::vector<Slab> result;
   double smallest = 0;
@@ -51,7 +51,7 @@ std::vector<Slab> merged(const std::vector<Slab>& slabs) {
 class Sweep {
  public:
   Sweep(const Eigen::Isometry3d& pose, const Eigen::Vector3d& axis) : pose_(pose), axis_(axis) {
-    // Quaterniond::FromTwoVectors is no rotation where the axis is nearly that of -z.
+    // Not Quaterniond::FromTwoVectors, which gives no rotation if the axis is nearly -z.
     const Eigen::Vector3d x = axis.unitOrthogonal();
     turned_.linear() << x, axis.cross(x), axis;
   }
@@ -90,7 +90,7 @@ class Sweep {
     return slabs;
   }
 
-  /// To all slabs that it meets, and to one that it misses by rounding.
+  /// Adds an edge to all slabs that it meets or misses only by rounding.
   void addEdge(Eigen::Vector3d a, Eigen::Vector3d b, std::vector<Slab>& slabs) const {
     if (a.z() > b.z()) std::swap(a, b);
     for (Slab& slab : slabs) {
@@ -119,7 +119,8 @@ class Sweep {
   Body body_;
 };
 
-/// A sweep must leave this share of what the nearest pose has above the wanted clearance.
+/// A sweep is kept only if it leaves this share of what the nearest distance exceeds the wanted
+/// clearance by.
 constexpr double kLeft = 0.5;
 
 /// Drops variables that no joint has.
@@ -141,7 +142,7 @@ double leverOf(const PairBody& body, const Eigen::Isometry3d& pose, const Eigen:
   return body.hull.cloud.farthestFrom({back.translation(), back.linear() * axis});
 }
 
-/// The caller keeps it alive.
+/// A pointer without ownership: the caller keeps the body alive.
 std::shared_ptr<const PairBody> borrowed(const PairBody& body) {
   return {std::shared_ptr<const PairBody>(), &body};
 }
@@ -188,7 +189,7 @@ void SweptSearch::advance() {
   nextCandidate();
 }
 
-/// That which makes a body the least larger.
+/// Chooses the sweep that enlarges a body least.
 void SweptSearch::nextCandidate() {
   candidate_ = nullptr;
   const Stage& stage = chosen_ ? *chosen_ : given_;

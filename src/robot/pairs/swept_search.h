@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One pair with fewer joints: the joint next to a body is left out, and the body replaced by what
-// it fills while it turns about that joint. What is proven of the larger bodies holds for the pair.
+// Searches one pair with fewer joints: the joint next to a body is left out, and the body is
+// replaced by the volume that it fills while it turns about that joint. A clearance that is proven
+// for the larger bodies holds for the pair, too.
 //
 // This pays for joints about which a body is nearly round, such as wheels and the rolls of an arm,
 // and where the bodies stay far from each other.
@@ -23,15 +24,15 @@ Body sweptBody(const Body& body, const Eigen::Isometry3d& pose, const Eigen::Vec
 
 class SweptSearch {
  public:
-  /// `nearest` is a distance at which a pose was found [m]. Refers to the bodies.
+  /// `nearest` is the smallest distance found so far [m]. Refers to the bodies.
   SweptSearch(const JointPath& path, const PairBody& first, const PairBody& second,
               const PairGoal& goal, double nearest);
 
-  /// Some of the work.
+  /// Does some of the work.
   void advance();
 
-  /// Where the swept bodies came nearer to each other than the given ones have: values of some of
-  /// the variables, by the robot's joint. Empty if they did not; each one is given once.
+  /// The nearest pose that was found for swept bodies, as a start for the given ones: values of
+  /// some of the variables, by the robot's joint. Each one is given once; otherwise empty.
   std::map<std::size_t, double> takeHint() { return std::exchange(hint_, {}); }
 
   bool isDone() const { return !candidate_ && (!chosen_ || chosen_->search->isDone()); }
@@ -40,7 +41,7 @@ class SweptSearch {
   std::size_t bytes() const;
 
  private:
-  /// Bodies that are swept so far.
+  /// The pair after some sweeps, with the joints that are left.
   struct Stage {
     JointPath path;
     std::shared_ptr<const PairBody> first;
@@ -52,13 +53,13 @@ class SweptSearch {
   std::unique_ptr<Stage> swept(const Stage& stage, bool at_second) const;
 
   PairGoal goal_;
-  double nearest_;  ///< of the stage that `candidate_` was made of [m]
+  double nearest_;  ///< smallest distance found for the stage that `candidate_` was made from [m]
   Stage given_;     ///< without a search
   std::unique_ptr<Stage> chosen_;
   std::unique_ptr<Stage> candidate_;  ///< may turn out to collide
-  bool is_at_second_ = false;         ///< what was swept for the candidate
+  bool is_at_second_ = false;         ///< the second body was swept for it
   std::map<std::size_t, double> hint_;
-  std::array<bool, 2> is_settled_{};  ///< the first, the second body is not swept further
+  std::array<bool, 2> is_settled_{};  ///< by body: it is not swept further
 };
 
 }  // namespace link_bounds

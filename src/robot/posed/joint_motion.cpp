@@ -54,12 +54,13 @@ std::vector<double> JointMotion::at(double share) const {
 /// The Taylor series around `share`, each term at its largest.
 double JointMotion::spread(std::size_t joint, double share, double half) const {
   Polynomial c = joints_[joint];
-  // A joint that rests rests exactly.
+  // A joint at rest has no spread, not even that of rounding.
   if (std::all_of(c.begin() + 1, c.end(), [](double x) { return x == 0; })) return 0;
   double size = 0;
   for (const double coefficient : c)
     size += std::abs(coefficient);
-  for (std::size_t k = 0; k + 1 < c.size(); ++k) {  // Horner's scheme, again and again
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) {  // repeated Horner's scheme: Taylor coefficients
+                                                    // at `share`
     for (std::size_t j = c.size() - 1; j-- > k;)
       c[j] += share * c[j + 1];
   }

@@ -10,12 +10,12 @@
 
 namespace link_bounds {
 
-/// One value per joint of a robot with simple joints; those of mimic joints do not count.
+/// One value per joint of a robot with simple joints; those of mimic joints are ignored.
 struct WayPoint {
   std::vector<double> positions;      ///< rad or m
   std::vector<double> velocities;     ///< per s; may be empty
   std::vector<double> accelerations;  ///< per s²; may be empty
-  double time = 0;                    ///< s; counts where there are velocities
+  double time = 0;                    ///< s; used only with velocities
 };
 
 /// Polynomials in the share of the time between the two way points, from 0 to 1.
@@ -25,14 +25,14 @@ class JointMotion {
   /// `to.time` is then larger than `from.time`.
   JointMotion(const WayPoint& from, const WayPoint& to);
 
-  /// Of all joints [rad or m].
+  /// The values of all joints [rad or m].
   std::vector<double> at(double share) const;
 
-  /// No value of the joint between `share` - `half` and `share` + `half` differs more from that at
-  /// `share`.
+  /// Upper bound of how much a value of the joint between `share` - `half` and `share` + `half`
+  /// differs from that at `share` [rad or m].
   double spread(std::size_t joint, double share, double half) const;
 
-  /// All values on the way, from a lower to an upper one.
+  /// By joint: a range that holds all its values on the way.
   std::vector<Limits> ranges() const;
 
   /// False where the numbers are so large that a range is not finite. Such a motion must be

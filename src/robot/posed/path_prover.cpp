@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Branch and bound over all pairs and the time together: the interval with the smallest bound is
-// halved first, until what is proven of all is near to what was found in one.
+// halved first, until the bound that is proven for all intervals is near to the smallest distance
+// that was found.
 #include "robot/posed/path_prover.h"
 
 #include <algorithm>
@@ -50,21 +51,22 @@ class PathProver::Search {
     std::size_t first;  ///< body
     std::size_t second;
     PlacedPair placed;
-    std::size_t segment = 0;  ///< of which the memories are; 0: none
+    std::size_t segment = 0;  ///< to which the memories belong; 0: none
 
     Pair(std::size_t its_first, std::size_t its_second, JointPath path, const PairBody& a,
          const PairBody& b)
         : first(its_first), second(its_second), placed(std::move(path), a, b) {}
   };
 
-  /// An interval of shares, of one pair.
+  /// An interval of shares, for one pair.
   struct Node {
     double lower;  ///< proven [m]
     std::size_t pair;
     double middle;
     double half;
 
-    /// Of equal bounds the later pair first, so that the order is always the same.
+    /// The smallest bound comes first; of equal bounds, the earlier pair, so that the order is
+    /// always the same.
     bool operator<(const Node& other) const {
       return std::tie(lower, pair, middle) > std::tie(other.lower, other.pair, other.middle);
     }
@@ -115,7 +117,7 @@ class PathProver::Search {
   bool isTouch(double distance) const { return distance <= goal_.clearance + PairGoal::kTouch; }
   bool collides() const { return isTouch(proof_.nearest); }
 
-  /// An interval with that bound needs no more halving.
+  /// An interval whose bound is at least this is not halved further [m].
   double enough() const {
     return std::max(proof_.nearest - goal_.accuracy, goal_.clearance + PairGoal::kProof);
   }
@@ -131,7 +133,8 @@ class PathProver::Search {
     }
   }
 
-  /// All joints at that share. Intervals of many pairs have the same middle.
+  /// The values of all joints at that share. Kept, because intervals of many pairs have the same
+  /// middle.
   const std::vector<double>& valuesAt(double share) {
     const auto [entry, is_new] = values_.try_emplace(share);
     if (is_new) entry->second = motion_->at(share);
@@ -156,7 +159,7 @@ class PathProver::Search {
 
   std::optional<BodyDistance> distanceOf(PlacedPair& pair, const DistanceGoal& goal) const {
     std::optional<BodyDistance> distance = pair.distance(goal);
-    // A contact deserves to be found at once.
+    // If a contact is possible, measures it exactly at once.
     if (distance && distance->lower <= goal_.clearance && !isTouch(distance->upper)) {
       distance = pair.distance(
           {PairGoal::kPoseAccuracy, goal_.clearance + goal.accuracy, PairGoal::kMaxTreeSteps});
@@ -194,7 +197,7 @@ class PathProver::Search {
     nodes_.push({node.lower, node.pair, node.middle + half, half});
   }
 
-  /// No pose of the interval has a smaller distance. Cheap bounds first.
+  /// A lower bound of the distance in the interval [m]; cheap bounds are tried first.
   double bound(const Node& node) {
     Pair& pair = begun(node.pair);
     PlacedPair& placed = pair.placed;
@@ -222,9 +225,9 @@ class PathProver::Search {
   std::size_t segment_ = 0;
   const JointMotion* motion_ = nullptr;
   SegmentProof proof_;
-  double proven_ = kInfinity;  ///< of all intervals that need no more halving
+  double proven_ = kInfinity;  ///< min of all intervals that need no more halving
   std::priority_queue<Node> nodes_;
-  std::map<double, std::vector<double>> values_;  ///< of all joints, by the share
+  std::map<double, std::vector<double>> values_;  ///< values of all joints, by share
 };
 
 PathProver::PathProver(const Robot& robot, const std::vector<PathBody>& bodies, const Pairs& pairs,

@@ -24,7 +24,7 @@ struct PathBody {
 };
 
 struct PathGoal {
-  double clearance = 0;    ///< bodies that are as near collide [m]
+  double clearance = 0;    ///< bodies at most this far apart collide [m]
   double accuracy = 0.01;  ///< of the clearance that is proven [m]
 };
 
@@ -39,9 +39,9 @@ const char* toText(PathVerdict verdict);
 
 struct SegmentProof {
   PathVerdict verdict = PathVerdict::kUndecided;
-  double clearance = 0;  ///< proven: in no pose on the way two bodies are nearer [m]
-  /// At most this far are the bodies `first` and `second` apart at `share` [m]; infinite if no pose
-  /// was measured.
+  double clearance = 0;  ///< proven: no two bodies are nearer on the way [m]
+  /// Upper bound of the distance of the bodies `first` and `second` at `share` [m]; infinite if no
+  /// pose was measured.
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t first = 0;
   std::size_t second = 0;
@@ -49,18 +49,18 @@ struct SegmentProof {
   double seconds = 0;  ///< that the search took
 };
 
-/// One per joint, of the ranges of those that mimic no other one.
+/// The ranges of all joints, from the limits of the joints that mimic no other one.
 std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& limits);
 
-/// Proofs about the same bodies, one after the other. Each is as it would be alone. Not
+/// Proofs about the same bodies, one after the other. No proof depends on those before. Not
 /// thread-safe.
 class PathProver {
  public:
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
   /// `robot` has simple joints. `pairs` are of indices of `bodies`; bodies without a shape are left
-  /// out. `ranges` has one per joint that mimics no other one: no motion leaves them. All but
-  /// `goal` must live as long.
+  /// out. `ranges` has one per joint that mimics no other one: no motion leaves them. All arguments
+  /// but `goal` must outlive this object.
   PathProver(const Robot& robot, const std::vector<PathBody>& bodies, const Pairs& pairs,
              const std::vector<Limits>& ranges, const PathGoal& goal);
   PathProver(PathProver&&) noexcept;

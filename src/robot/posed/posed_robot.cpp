@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes choose the pairs. Of each pair, a search that begins where the last one ended shows whether
+// Boxes choose the pairs. A search that begins where the last one of the pair ended shows whether
 // it is too far away; a search without memory gives the numbers, so that these do not depend on the
 // poses before.
 #include "robot/posed/posed_robot.h"
@@ -14,8 +14,8 @@
 namespace link_bounds {
 namespace {
 
-/// A search without memory may prove so much less than one with a memory [m]: the accuracy of both,
-/// and rounding.
+/// Max amount by which a search without memory proves less than one with a memory [m]: the accuracy
+/// of both, and rounding.
 const double kDoubt = DistanceGoal().accuracy * 1.001;
 
 std::vector<bool> pairsOf(const Robot& robot, const BoundedRobot& bounded) {
@@ -81,7 +81,7 @@ bool PosedRobot::hasPairs() const {
   return false;
 }
 
-/// A pose costs as much as a search of a pair that boxes decide.
+/// Places only links that are compared, because a pose costs as much as a search that boxes decide.
 void PosedRobot::place(std::size_t link) {
   if (is_placed_[link]) return;
   distances_.move(link, root_from_links_[link]);

@@ -26,38 +26,39 @@ struct PoseDistances {
   std::vector<std::size_t> unmeasured;  ///< links whose size and pose give no finite distance
 };
 
-/// A robot at its last joint values. What it gives depends on these alone, not on those before,
-/// which only make it faster. Not thread-safe; any number of threads may have one of the same
-/// robot.
+/// A robot at its last joint values. Its results depend on these values alone; earlier ones only
+/// make it faster. Not thread-safe; each thread may have its own for the same robot.
 class PosedRobot {
  public:
-  /// How far apart two links need not be measured [m], see distances().
+  /// The distance from which on two links need not be measured [m], see distances().
   using Wanted = std::function<double(std::size_t first, std::size_t second)>;
 
-  /// `bounded`, which is that of `robot`, must live as long. Throws JointError for mimic joints
-  /// that follow each other in a circle or follow no joint, and what withSimpleJoints() throws.
+  /// `bounded`, which is that of `robot`, must outlive this object. Throws JointError for mimic
+  /// joints that follow each other in a circle or follow no joint, and what withSimpleJoints()
+  /// throws.
   PosedRobot(const Robot& robot, const BoundedRobot& bounded);
 
-  /// With floating and planar joints as joints of one value each, see withSimpleJoints().
+  /// The robot, with floating and planar joints as joints of one value each, see
+  /// withSimpleJoints().
   const Robot& robot() const { return robot_; }
 
   /// One value per joint of robot() [rad or m], finite; those of mimic joints are replaced by what
   /// they follow. Throws JointError if a joint without an axis has another value than 0.
   void move(std::vector<double> values);
 
-  /// Of the links of BoundedRobot, in the frame of the root link. Before the first move(), and for
-  /// a link without a shape or a finite box, there is no box.
+  /// The box of a link of BoundedRobot, in the frame of the root link. Nothing before the first
+  /// move(), and for a link without a shape or a finite box.
   const std::optional<Aabb>& box(std::size_t link) const { return boxes_.box(link); }
 
-  /// Around all boxes; empty if there is none.
+  /// The box around all links; empty if no link has a box.
   Aabb robotBox() const;
 
   /// Whether any two links with a box are a pair: not of one rigid body, nor joined by one joint.
   bool hasPairs() const;
 
   /// All pairs whose proven distance is at most `limit` [m], each to DistanceGoal().accuracy. Needs
-  /// BoundedRobot::bodies. With `wanted`, a pair may be missing that is proven to be farther apart
-  /// than its result, which is then below `limit` or equal; measuring such pairs is saved.
+  /// BoundedRobot::bodies. With `wanted`, whose results must not exceed `limit`, a pair may be
+  /// missing that is proven to be farther apart than its result. This saves measuring such pairs.
   PoseDistances distances(double limit, const Wanted& wanted = nullptr);
 
  private:
@@ -73,8 +74,8 @@ class PosedRobot {
   NearPairSearch search_;
   NearPairs near_;                  ///< of the last distances()
   std::vector<std::size_t> boxed_;  ///< links
-  std::vector<Aabb> search_boxes_;  ///< theirs
-  std::vector<bool> is_placed_;     ///< of each link, in distances_
+  std::vector<Aabb> search_boxes_;  ///< boxes of the links in boxed_
+  std::vector<bool> is_placed_;     ///< by link: placed in distances_
   BodyDistances distances_;
 };
 

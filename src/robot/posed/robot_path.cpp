@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-/// Between two progress reports, for each thread.
+/// Segments per thread between two progress reports.
 constexpr std::size_t kBlock = 16;
 
 void addBodies(const BoundedRobot& bounded, const std::vector<std::size_t>& links,
@@ -24,7 +24,7 @@ void addBodies(const BoundedRobot& bounded, const std::vector<std::size_t>& link
   }
 }
 
-/// Which no motion leaves.
+/// The ranges that no motion leaves.
 std::vector<Limits> rangesOf(const std::vector<JointMotion>& motions) {
   std::vector<Limits> all = motions.front().ranges();
   for (const JointMotion& motion : motions) {
@@ -47,7 +47,7 @@ PathBodies pathBodies(const Robot& robot, const BoundedRobot& bounded, const Bou
   for (std::size_t i = 0; i < links; ++i) {
     for (std::size_t j = i + 1; j < result.bodies.size(); ++j) {
       const bool is_object = j >= links;
-      // A link that never moves is where it is.
+      // An object and a link that never moves are no pair.
       const bool is_pair = is_object ? !areJoined(rigid, bounded.indices[i], robot.root, 0)
                                      : !areJoined(rigid, bounded.indices[i], bounded.indices[j]);
       if (is_pair && !exempt.reasonOf(result.names[i], result.names[j]))

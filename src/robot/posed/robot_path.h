@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot on its way along way points, among objects that rest.
+// Proofs about a robot that moves along way points among objects that rest.
 #pragma once
 
 #include <functional>
@@ -33,7 +33,7 @@ struct PathControl {
   std::function<void(std::size_t done)> progress = [](std::size_t) {};  ///< segments
 };
 
-/// One per motion. `simple` is the robot of the bodies with simple joints.
+/// Returns one proof per motion. `simple` is the robot of the bodies with simple joints.
 std::vector<SegmentProof> provePath(const Robot& simple, const PathBodies& bodies,
                                     const std::vector<JointMotion>& motions, const PathGoal& goal,
                                     const PathControl& control);

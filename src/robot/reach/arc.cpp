@@ -10,13 +10,14 @@
 namespace link_bounds {
 namespace {
 
-/// Beyond that, doubles are too far apart to cut a turn into pieces [rad].
+/// At larger angles, doubles are too far apart to cut a turn into pieces [rad].
 constexpr double kMaxAngle = 1e9;
 
 /// Rounding of 2 pi.
 constexpr double kAngleRounding = 1e-12;
 
-/// A test builds an engine that moves too little, which a check of its proofs has to find.
+/// A test compiles this with a smaller share, so that joints turn too little. Its check of the
+/// proofs has to find that.
 #ifndef LINK_BOUNDS_SHARE_OF_MOTION
 #define LINK_BOUNDS_SHARE_OF_MOTION 1
 #endif
@@ -32,8 +33,8 @@ Limits anglesOf(const Limits& range) {
 /// A direction that turns about an axis.
 struct TurningDirection {
   Eigen::Vector3d constant;
-  Eigen::Vector3d at_0;   ///< the other part, at the angle 0
-  Eigen::Vector3d at_90;  ///< and after a quarter of a turn of the joint
+  Eigen::Vector3d at_0;   ///< the part that turns, at the angle 0
+  Eigen::Vector3d at_90;  ///< the part that turns, after a quarter turn of the joint
 
   TurningDirection(const Eigen::Vector3d& axis, const Eigen::Vector3d& direction)
       : constant(axis * axis.dot(direction)),
@@ -73,7 +74,8 @@ double Arc::support(const SupportTable& support, const Eigen::Vector3d& axis,
     if (std::isnan(bracket)) return bracket;  // no bound
     best = std::max(best, bracket);
     if (i > 0) {
-      // The sinusoid in the middle of the piece, and its slope there, with the width of the piece.
+      // The max of the sinusoid inside the piece: the mean and the half difference of both ends
+      // determine it.
       const Piece& piece = pieces_[i - 1];
       const double mean = (before + bracket) / 2;
       const double half = (bracket - before) / 2;

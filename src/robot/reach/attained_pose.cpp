@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-/// [rad or m]. A face is off by about the square of the last step.
+/// Steps of a variable [rad or m]. A face is off by about the square of the last step.
 constexpr double kLargestStep = 0.1;
 constexpr double kSmallestStep = 1e-7;
 

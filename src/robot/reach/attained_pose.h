@@ -18,7 +18,7 @@ inline double faceOf(const Aabb& box, std::size_t face) {
   return face < 3 ? box.min()[axis] : box.max()[axis];
 }
 
-/// By how much `further` lies outside of `other` [m].
+/// By how much a face at `further` is outside one at `other` [m]; negative if it is inside.
 inline double beyond(std::size_t face, double further, double other) {
   return face < 3 ? other - further : further - other;
 }
@@ -28,7 +28,8 @@ struct AttainedFace {
   std::vector<double> values;  ///< one per variable of the chain, in its range
 };
 
-/// Where that face is in the pose of `values`. `link` has a box in every pose.
+/// Where that face of the link's box is in the pose of `values` [m]. `link` has a box in every
+/// pose.
 double faceAt(const JointPath& chain, const BoundedLink& link, std::size_t face,
               const std::vector<double>& values);
 

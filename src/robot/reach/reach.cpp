@@ -23,17 +23,17 @@ constexpr int kLastCells = 256;
 /// A link behind more moving joints keeps its rough bound: the recursion must fit on the stack.
 constexpr std::size_t kMaxJoints = 500;
 
-/// More than rounding of a sum of as many terms as a robot has joints.
+/// Covers the rounding of a sum of as many terms as a robot has joints.
 constexpr double kRadiusRounding = 1 + 1e-9;
 
-/// Values of a variable that several joints depend on, from which poses are sought.
+/// How many values of a variable that several joints share are tried as starts of a search.
 constexpr int kSharedStarts = 9;
 
 double largest(const JointRange& range) {
   return std::max(std::abs(range.lower), std::abs(range.upper));
 }
 
-/// By link: how far its frame can be from the root's origin, at most [m].
+/// By link: upper bound of the distance of its frame from the root's origin [m].
 std::vector<double> frameDistances(const Robot& robot, const std::vector<JointRange>& ranges) {
   std::vector<double> distances(robot.links.size(), 0.0);
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
@@ -77,10 +77,10 @@ class ReachSearch {
   const std::vector<JointRange>& ranges_;
   const ReachGoal& goal_;
   std::vector<BoundedLink> links_;      ///< without padding
-  std::map<std::string, double> rest_;  ///< a pose within all limits, but for joints at 0
-  std::vector<double> radii_;           ///< of all poses of a link, around the root's origin [m]
+  std::map<std::string, double> rest_;  ///< a pose within all limits, without joints at 0
+  std::vector<double> radii_;           ///< by link: see linkRadii() [m]
   std::vector<std::optional<Reach>> reaches_;
-  std::mutex mutex_;  ///< of reaches_ while several threads refine
+  std::mutex mutex_;  ///< guards reaches_ while several threads refine
 };
 
 ReachSearch::ReachSearch(const Robot& robot, const BoundedRobot& bounded,
@@ -109,7 +109,8 @@ void ReachSearch::boundRoughly() {
   }
 }
 
-/// Values from which to search. Those of variables that several joints depend on are tried.
+/// The values from which a search starts. For a variable that several joints share, several values
+/// are tried.
 std::vector<double> ReachSearch::startFor(std::size_t link, const JointPath& chain,
                                           const ReachBound& bound, std::size_t face) const {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();

@@ -21,7 +21,7 @@ struct ReachFace {
   double attained = 0;                 ///< where the face of the box in `pose` is [m]
   std::map<std::string, double> pose;  ///< values of joints [rad or m]; the others are at 0
 
-  /// No pose is beyond `at`, and one is at most this far from it [m].
+  /// The proven face minus the farthest pose that was found [m]: the face could move in by no more.
   double gap() const { return std::abs(at - attained); }
 };
 
@@ -34,14 +34,14 @@ struct Reach {
 
 struct ReachGoal {
   double accuracy;                   ///< of the gaps [m]
-  Stop stop = [] { return false; };  ///< ends it with what is proven by then
-  /// Called by one thread at a time: how many links of how many are as accurate as that, and the
-  /// largest gap of any. May be null.
+  Stop stop = [] { return false; };  ///< true: ends the search with the bounds proven by then
+  /// Called by one thread at a time, with the number of links that have reached `accuracy`, the
+  /// number of all links, and the largest gap [m]. May be null.
   std::function<void(std::size_t, std::size_t, double)> progress = {};
 };
 
-/// Of each link of `bounded`, no less than the distance of any of its points from the root's origin
-/// in any pose [m].
+/// By link of `bounded`: upper bound of the distance of its points from the root's origin in any
+/// pose [m].
 std::vector<double> linkRadii(const Robot& robot, const BoundedRobot& bounded,
                               const std::vector<JointRange>& ranges);
 
@@ -51,7 +51,7 @@ std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot
                                           const std::vector<JointRange>& ranges,
                                           const ReachGoal& goal);
 
-/// The box around all of them, which the robot never leaves; nothing if there are none.
+/// The box around all reaches, which the robot never leaves; nothing if there are none.
 std::optional<Reach> unionOf(const std::vector<std::optional<Reach>>& reaches);
 
 }  // namespace link_bounds

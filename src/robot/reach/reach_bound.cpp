@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the link back to the root.
+// Computes the tables from the link back to the root.
 #include "robot/reach/reach_bound.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-/// Directions between two looks at the clock.
+/// Number of directions between two calls of stop().
 constexpr std::size_t kDirectionsPerGlance = 64;
 
 bool usesLater(const JointPath& chain, std::size_t joint, std::size_t variable) {
@@ -22,17 +22,17 @@ bool usesLater(const JointPath& chain, std::size_t joint, std::size_t variable) 
   return false;
 }
 
-/// About as far from each other as the points of the grid [rad].
+/// Max piece of an arc [rad]: about the distance between points of the grid.
 double pieceFor(int cells) {
   return 2.0 / cells;
 }
 
-/// What a slice adds shrinks with its width, what the grid adds with the square of its cells.
+/// The error of a slice shrinks with its width, that of the grid with the square of its cells.
 int slicesFor(int cells) {
   return cells * cells / 4;
 }
 
-/// The angle within the range, as near as full turns bring it.
+/// The angle plus full turns, clamped to the range [rad].
 double turnedValue(const Limits& range, double angle) {
   const double turns = std::ceil((range.lower - angle) / (2 * M_PI));
   return std::min(std::max(angle + 2 * M_PI * std::max(turns, 0.0), range.lower), range.upper);

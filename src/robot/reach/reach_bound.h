@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a link gets along each axis of the root's frame, at most.
+// An upper bound of how far a link extends along each axis of the root's frame, in all poses.
 //
 // Let S_i be the set of all places of the link's points in the frame before joint i, while joints
 // i, i+1, ... of its chain take all their values, and h_i its support function (support_table.h).
@@ -9,9 +9,9 @@
 //
 //   h_i(d) = t.d + max over q of h_i+1(e(q)).
 //
-// The joints behind i do not depend on q, so this holds exactly, not only as a bound. What does not
-// hold for joints that share a variable is repaired below. S_i is known by its table alone, from
-// the link back to the root: no more than two dimensions, however many joints there are.
+// The joints behind i do not depend on q, so this holds exactly, not only as a bound. Joints that
+// share a variable are treated below. S_i is known by its table alone, from the link back to the
+// root: no more than two dimensions, however many joints there are.
 //
 // - A prismatic joint moves by q along a = R axis: h_i(d) = t.d + max of q a.d + h_i+1(R^T d), and
 //   the max is at an end of the range.
@@ -27,12 +27,12 @@
 //   into slices. In a slice they count as independent, which adds poses and takes none away. From
 //   the first of them on, S_i is the union over all slices, and h_i the max.
 //
-// Rounding. Let r be no less than the distance of any point of the link from any origin on its way,
-// and u = 2^-53. All directions of the recursion have a length of at most sqrt 3, up to rounding,
-// because those of the grid have. Then e(q) is off by at most 50 u in length, and so h_i+1(e(q)) by
-// 50 u r. The mean of four values, the sinusoid and the sum with t.d add less than 50 u r, because
-// all of them are at most 2 sqrt 3 r in size; in doubles, a full turn lacks less than 3 u.
-// The kinematics that place a link for a pose are off by less than 20 u r per joint.
+// Rounding. Let r be an upper bound of the distance of any point of the link from any origin of its
+// chain, and u = 2^-53. All directions of the recursion have a length of at most sqrt 3, up to
+// rounding, because those of the grid have. Then e(q) is off by at most 50 u in length, and so
+// h_i+1(e(q)) by 50 u r. The mean of four values, the sinusoid and the sum with t.d add less than
+// 50 u r, because all of them are at most 2 sqrt 3 r in size; in doubles, a full turn lacks less
+// than 3 u. The kinematics that place a link for a pose are off by less than 20 u r per joint.
 // kRoundoffsPerJoint u r per joint is more than all of these.
 #pragma once
 
@@ -47,23 +47,23 @@
 
 namespace link_bounds {
 
-/// Whether to end a computation early. Several threads may call it.
+/// Returns true to end a computation early. Several threads may call it.
 using Stop = std::function<bool()>;
 
 class ReachBound {
  public:
   /// `chain` is the path from the root to the link. `link` has a box in every pose, and no padding;
-  /// `radius` is r above [m]. All but `stop` must live as long as this.
+  /// `radius` is r above [m]. All arguments but `stop` must outlive this object.
   ReachBound(const JointPath& chain, const BoundedLink& link, double radius, int cells, Stop stop);
 
-  /// Before box(): all supports of the tables become the second next multiple of the step [m], so
-  /// that others who compute with other roundings can check them. Joints that share a variable
-  /// count as independent.
+  /// To be called before box(): each support of the tables is rounded up to a multiple of the step
+  /// [m], and one step is added, so that checkers that round otherwise can verify it. Joints that
+  /// share a variable count as independent.
   void roundSupports(double step) { step_ = step; }
 
   std::size_t joints() const { return chain_.joints.size(); }
-  /// Of a chain whose joints count as independent, after box(): no less than h_joint along each of
-  /// the directions of the table; `joint` is not 0.
+  /// Upper bounds of h_joint along the directions of the table. To be called after box(), for a
+  /// chain whose joints count as independent; `joint` is not 0.
   const std::vector<double>& supportsAfter(std::size_t joint) const {
     return tables_[joint]->supports();
   }
@@ -79,7 +79,7 @@ class ReachBound {
   using Supports = std::optional<std::vector<double>>;
   using Directions = std::vector<Eigen::Vector3d>;
   using Table = std::shared_ptr<const SupportTable>;
-  /// Of each variable the slice of its range that is looked at; nothing: all of it.
+  /// By variable: the slice of its range that is examined; nothing: the whole range.
   using Slices = std::vector<std::optional<Limits>>;
 
   Supports supports(std::size_t joint, const Directions& directions, const Slices& slices);
@@ -98,7 +98,7 @@ class ReachBound {
   Stop stop_;
   double step_ = 0;  ///< 0: supports are not rounded
   Directions grid_;
-  std::vector<Table> tables_;  ///< of each joint, and at last of the link; without slices
+  std::vector<Table> tables_;  ///< one per joint, then that of the link; none with slices
 };
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// By face, then by the axis after that of the face, then by the one after that.
+// Sorted by face, then by the axis after that of the face, then by the one after that.
 #include "robot/reach/support_table.h"
 
 namespace link_bounds {

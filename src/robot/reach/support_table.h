@@ -11,9 +11,9 @@
 //
 //   h(d) <= sum w_k h(d_k).
 //
-// The table has h, or what is no less, at the points d_k of a square grid on each face of the cube
-// [-1, 1]^3. Any direction is a multiple of a point of the cube's surface, which is the bilinear
-// mean of the four corners of its cell.
+// The table has upper bounds of h at the points d_k of a square grid on each face of the cube [-1,
+// 1]^3. Any direction is a multiple of a point of the cube's surface, which is the bilinear mean of
+// the four corners of its cell.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,13 +29,13 @@ class SupportTable {
   /// The points of the grid with `cells` > 0 cells along an edge of the cube.
   static std::vector<Eigen::Vector3d> directions(int cells);
 
-  /// What is no less than the support in each of `directions(cells)`.
+  /// `supports` are upper bounds of the support in each of `directions(cells)`.
   SupportTable(int cells, std::vector<double> supports)
       : cells_(cells), supports_(std::move(supports)) {}
 
   const std::vector<double>& supports() const { return supports_; }
 
-  /// What is no less than the support in `direction`, of any length; infinite if that is not
+  /// Upper bound of the support in `direction`, of any length; infinite if `direction` is not
   /// finite.
   double at(const Eigen::Vector3d& direction) const;
 

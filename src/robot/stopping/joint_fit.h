@@ -16,7 +16,7 @@ struct JointFit {
   double angle_error = 0;   ///< [rad]
 };
 
-/// Of any joint that is not floating; one without an axis counts as fixed.
+/// For any joint but a floating one; a joint without an axis counts as fixed.
 JointFit fitOf(const Joint& joint, const Eigen::Isometry3d& parent_from_child);
 
 /// The angle without full turns, from -pi to pi [rad].

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions from the first joint to the link, then supports back.
+// Finds directions from the first joint to the link, then supports from the link back to the first
+// joint.
 #include "robot/stopping/moving_link.h"
 
 #include <algorithm>
@@ -61,9 +62,9 @@ class MovingBox {
   const BoundedLink& link_;
   Eigen::Affine3d pose_;
   std::vector<MovingStep> steps_;
-  std::vector<SweptBall> balls_;  ///< of S after each joint, and last of the link
+  std::vector<SweptBall> balls_;  ///< around S after each joint, and last around the link
   std::vector<std::vector<Eigen::Matrix3d>>
-      directions_;  ///< before each joint, and last of the link
+      directions_;  ///< before each joint, and last for the link
   std::vector<Supports> supports_;
 };
 
@@ -75,7 +76,8 @@ MovingBox::MovingBox(const BoundedLink& link, const Eigen::Affine3d& pose,
         {&joint, joint.kind == Kind::kTurn ? withinOneTurn(joint.offsets) : joint.offsets});
 }
 
-/// Around all places of the link while the joints from one on move. False if there is no box.
+/// Sets balls_, around all places of the link while the joints from each one on move. False if
+/// there is no box.
 bool MovingBox::placeBalls() {
   const std::optional<Aabb> box = linkBox(link_, pose_);
   if (!box) return false;
@@ -227,23 +229,25 @@ void MovingBox::foldTurn(const MovingStep& step, const SweptBall& ball,
   supports_ = std::move(result);
 }
 
-/// How much farther a point comes that turns by up to an angle to both sides, with the given sine
-/// and the cosine 1 - fall. A turn by x adds along (cos x - 1) + across sin x [m].
+/// Max gain of a point along a direction while it turns to both sides by up to an angle with the
+/// given sine and the cosine 1 - fall. A turn by x adds along (cos x - 1) + across sin x [m].
 double gainOfPoint(double along, double across, double sine, double fall) {
   const double side = std::abs(across);
   if (sine > 0 && along * sine >= side * (1 - fall)) return std::hypot(along, side) - along;
   return side * sine - along * fall;
 }
 
-/// How much farther a set comes along directions up to an angle with the cosine 1 - fall away, if
-/// it is in a ball, and no higher than `height` above its centre in the middle of them [m].
+/// Max gain of a set along directions whose angle to a middle one has at least the cosine 1 - fall.
+/// The set is in a ball and, along the middle direction, no higher than `height` above its centre
+/// [m].
 double gainOfCap(double height, double radius, double fall) {
   if (radius * (1 - fall) <= height) return radius - height;
   const double side = height > 0 ? std::sqrt((radius - height) * (radius + height)) : radius;
   return side * std::sqrt(std::max(0.0, fall * (2 - fall))) - height * fall;
 }
 
-/// The middle alone: the centre of the ball turns as a point, and what is around it as a cap.
+/// Uses the middle of the turn alone: the centre of the ball turns as a point, the set around it is
+/// bounded as a cap.
 void MovingBox::swing(const MovingStep& step, const SweptBall& ball,
                       const std::vector<Eigen::Matrix3d>& parents,
                       const std::vector<Eigen::Matrix3d>& children) {
@@ -285,7 +289,7 @@ void MovingBox::fold(std::size_t index) {
   clip(balls_[index], directions_[index]);
 }
 
-/// To the ball around all places of the link.
+/// Limits the supports to those of the ball around all places of the link.
 void MovingBox::clip(const SweptBall& ball, const std::vector<Eigen::Matrix3d>& directions) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Eigen::Vector3d center = directions[i] * ball.center;
@@ -306,7 +310,7 @@ std::optional<Aabb> MovingBox::box() {
   return Aabb(-found.against, found.along);
 }
 
-/// No less than any coordinate that occurs.
+/// Upper bound of all |coordinates| that occur [m].
 double magnitudeOf(const Eigen::Affine3d& pose, const BoundedLink& link,
                    const std::vector<MovingJoint>& joints) {
   double sum = pose.translation().norm() + 2 * magnitude(link);
@@ -318,7 +322,7 @@ double magnitudeOf(const Eigen::Affine3d& pose, const BoundedLink& link,
 
 }  // namespace
 
-/// Far from the origin of the frame, lengths are computed from the first joint on.
+/// Computes relative to the first joint, which keeps digits far from the origin of the frame.
 std::optional<Aabb> boxOfMoving(const BoundedLink& link, const Eigen::Affine3d& frame_from_link,
                                 const std::vector<MovingJoint>& joints) {
   if (joints.empty()) return linkBox(link, frame_from_link);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Upward; downward is the same with all signs changed.
+// Computes motion upward; motion downward is the same with all signs changed.
 #include "robot/stopping/stop_offsets.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-/// How far upward it is when it may brake, and how fast.
+/// Path and speed, both upward, when the braking begins.
 struct Drive {
   double path;
   double speed;
@@ -22,7 +22,7 @@ Drive keepingSpeed(double speed, double time) {
   return {speed * time, speed};
 }
 
-/// A speed below 0 counts as 0: how fast it brakes from there has no limit.
+/// A speed below 0 counts as 0: its braking to 0 has no limit.
 Drive speedingUp(double speed, const Braking& braking, double time) {
   const double start = std::max(speed, 0.0);
   const double top = std::max(start, braking.max_speed.value_or(start));
@@ -34,7 +34,7 @@ Drive speedingUp(double speed, const Braking& braking, double time) {
   return {(start / 2 + end / 2) * ramp + end * (time - ramp), end};
 }
 
-/// At least 0; infinite where the numbers are too large.
+/// The path, rounded up and at least 0; infinite if the numbers are too large.
 double rounded(double path) {
   if (std::isnan(path)) return std::numeric_limits<double>::infinity();
   return std::max(0.0, path) * (1 + kFormulaRounding);

@@ -25,23 +25,23 @@ struct SpeedRange {
 
 /// What is known of how a joint brakes [rad/s^2 or m/s^2].
 struct Braking {
-  double deceleration;                      ///< > 0: it brakes at least so hard
-  std::optional<double> acceleration = {};  ///< > 0: it speeds up no faster; none: in no time
-  std::optional<double> max_speed = {};     ///< needed if it may speed up
+  double deceleration;                      ///< > 0: its min when braking
+  std::optional<double> acceleration = {};  ///< > 0: its max; none: any speed at once
+  std::optional<double> max_speed = {};     ///< needed if the joint may speed up
 };
 
 /// What a joint does until it brakes.
 struct Reaction {
   double time;        ///< [s]
-  bool may_speed_up;  ///< to Braking::max_speed, or beyond if it is faster already
+  bool may_speed_up;  ///< to max_speed; a faster joint keeps its speed
 };
 
 /// How far the joint may be from where it is until it stands [rad or m]: lower <= 0 <= upper.
 /// Infinite where a number is too large, and never NaN.
 Limits stopOffsets(const SpeedRange& speed, const Braking& braking, const Reaction& reaction);
 
-/// How far it may be from where it is at any moment until `time` has passed [s], if nobody brakes:
-/// as before the braking of stopOffsets(), while it may speed up. It needs Braking::max_speed.
+/// How far the joint may be from where it is at any moment until `time` has passed [s], if it may
+/// speed up and never brakes, as in the reaction time of stopOffsets(). Needs Braking::max_speed.
 Limits travelOffsets(const SpeedRange& speed, const Braking& braking, double time);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// First what gains most for its share of the leaves.
+// Adds cuts to the joint that gains most for the growth of the number of boxes, again and again.
 #include "robot/stopping/turn_cuts.h"
 
 namespace link_bounds {
@@ -13,21 +13,21 @@ constexpr double kMaxHalfPiece = 1.2;
 /// Cuts that gain less are not worth their time [m].
 constexpr double kMinCutGain = 5e-4;
 
-/// How often the link is asked for a box. With 16, half of the faces of a Gen3 are at most 0.6 mm +
-/// 10 % of their way too far out; with 40 and turns that only padded, it was 6 mm.
+/// Max number of boxes of the link. With 16, half of the faces of a Gen3 are too far out by at most
+/// 0.6 mm + 10 % of their motion; with 40, and mere padding for turns, it was 6 mm.
 constexpr std::size_t kMaxLeaves = 16;
 
 double widthOf(const MovingStep& step) {
   return step.offsets.upper - step.offsets.lower;
 }
 
-/// Fewest cuts that help: a piece must be less than half a turn.
+/// The next number of cuts that helps: a piece must be less than half a turn.
 std::size_t nextCuts(const MovingStep& step, std::size_t cuts) {
   const auto fewest = static_cast<std::size_t>(std::floor(widthOf(step) / (2 * kMaxHalfPiece))) + 2;
   return cuts == 1 ? fewest : cuts + 1;
 }
 
-/// What a turn adds at most to a face beyond what is attained, about [m].
+/// About the max error that a turn adds to a face [m].
 double lossOf(const MovingStep& step, const SweptBall& ball, std::size_t cuts) {
   const double half = widthOf(step) / 2;
   if (cuts == 1) return ball.radius * chordOf(half);

@@ -11,7 +11,7 @@
 
 namespace link_bounds {
 
-/// Holds all places of a link while joints move.
+/// A ball that holds all places of a link while joints move.
 struct SweptBall {
   Eigen::Vector3d center;
   double radius;  ///< [m]
@@ -21,11 +21,11 @@ struct SweptBall {
 struct MovingStep {
   const MovingJoint* joint;
   Limits offsets;                           ///< within one turn
-  std::vector<Eigen::Matrix3d> turns = {};  ///< by the angles at which a turn is examined
-  double half_piece = 0;                    ///< between two of these; of one: to both ends [rad]
+  std::vector<Eigen::Matrix3d> turns = {};  ///< rotations by the examined angles
+  double half_piece = 0;  ///< half the angle between two; of one: to each end [rad]
 };
 
-/// How far a point at a distance of 1 m from the axis moves at most [m].
+/// Max motion of a point at a distance of 1 m from the axis during a turn by `angle` [m].
 inline double chordOf(double angle) {
   return 2 * std::sin(std::min(std::abs(angle), M_PI) / 2);
 }

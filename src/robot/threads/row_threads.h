@@ -11,9 +11,10 @@ namespace link_bounds {
 /// Rows begin <= row < end, on the thread of that number.
 using RowWork = std::function<void(unsigned thread, std::size_t begin, std::size_t end)>;
 
-/// Calls `work` for all rows, so many at once, on so many threads, which are numbered from 0; the
-/// first is the calling one. Where the system gives fewer threads, these do the work. Returns when
-/// all is done. Throws what one of them threw; rows that have not begun then are left out.
+/// Calls `work` for all rows, `at_once` rows per call, on `threads` threads. These are numbered
+/// from 0, which is the calling one. Where the system gives fewer threads, these do the work.
+/// Returns when all is done. Throws what one of them threw; rows that have not begun then are left
+/// out.
 void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t at_once,
              const RowWork& work);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Leaders first, then those that follow them.
+// Computes the range of each joint from that of its leader.
 #include "robot/urdf/joint_ranges.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using JointIndex = std::unordered_map<std::string, std::size_t>;
 
 constexpr double kTurn = 2 * M_PI;
 
-/// A range that is short of a turn by rounding of pi only is a full turn [rad].
+/// A range that is shorter than a turn only by the rounding of pi is a full turn [rad].
 constexpr double kTurnRounding = 1e-12;
 
 std::size_t leaderOf(const Robot& robot, const Joint& joint, const JointIndex& index) {
@@ -67,7 +67,8 @@ const Joint* otherAfterATurn(const Robot& robot, const std::vector<Lead>& leads,
   return nullptr;
 }
 
-/// A rotation without limits takes all real values.
+/// The range of a rotation without limits: one turn. Throws if a joint that follows it is elsewhere
+/// after a full turn.
 Limits turnOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t joint) {
   const Joint* const other = otherAfterATurn(robot, leads, joint);
   if (!other) return {-M_PI, M_PI};
@@ -76,7 +77,7 @@ Limits turnOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t jo
                    remedyFor(robot.joints[joint]));
 }
 
-/// Of a joint that moves and mimics no other one.
+/// The limits of a joint that moves and mimics no other one.
 Limits limitsOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t joint) {
   const Joint& source = robot.joints[joint];
   if (!source.limits && source.motion == Motion::kRotation) return turnOf(robot, leads, joint);
@@ -94,14 +95,14 @@ Limits limitsOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t 
   throw JointError("a limit of " + named(source) + " is infinite; " + remedyFor(source));
 }
 
-/// Whether anything is known about where a joint that mimics no other one is.
+/// Whether the range of a joint that mimics no other one is known.
 bool isKnown(const Joint& joint, const GivenRanges& given) {
   const bool is_unlimited = joint.motion == Motion::kTranslation && !joint.part_of.empty();
   if (is_unlimited) return given.count(joint.name) > 0;
   return joint.motion != Motion::kPlanar && joint.motion != Motion::kFloating;
 }
 
-/// 0 if nothing is known.
+/// The range of a leader; 0 to 0 if nothing is known.
 Limits leaderRange(const Robot& robot, const std::vector<Lead>& leads, const GivenRanges& given,
                    std::size_t joint) {
   const Joint& source = robot.joints[joint];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Once through all joints, because parents stand before children.
+// One pass over all joints is enough, because parents come before children.
 #include "robot/urdf/joints_above.h"
 
 namespace link_bounds {

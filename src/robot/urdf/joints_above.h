@@ -9,7 +9,7 @@
 
 namespace link_bounds {
 
-/// Indices of joints, that of the link first; none for the root.
+/// Indices of the joints from the link up to the root, that of the link first; none for the root.
 std::vector<std::size_t> jointsAbove(const Robot& robot, std::size_t link);
 
 }  // namespace link_bounds

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Warnings about joint values and limits that look like mistakes. Robots are those with simple
-// joints.
+// Warnings about joint values and limits that look like mistakes. Robots must have simple joints,
+// see withSimpleJoints().
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace link_bounds {
 
-/// Beyond rounding, which a value that was computed may have.
+/// True if the value is beyond the limits by more than the rounding of a computed value.
 bool isBeyond(const Limits& limits, double value);
 
 /// The ranges and values beyond the limits of their joints, in words; "" if none is.

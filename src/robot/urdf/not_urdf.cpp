@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mostly by tinyxml2, which says why it refuses a text.
+// Mostly uses tinyxml2, which says why it refuses a text.
 #include "robot/urdf/not_urdf.h"
 
 #include <tinyxml2.h>
@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-/// As in the limits of Linux.
+/// PATH_MAX of Linux: no file name is longer.
 constexpr std::size_t kMaxPath = 4096;
 
 const std::string kExpand =
@@ -50,14 +50,15 @@ class XacroFinder : public tinyxml2::XMLVisitor {
   std::string found_;
 };
 
-/// "" if there is none.
+/// The first element that only xacro understands; "" if there is none.
 std::string xacroElementIn(const tinyxml2::XMLDocument& document) {
   XacroFinder finder;
   document.Accept(&finder);
   return finder.found();
 }
 
-/// As "line 3 (mismatched element)". Parsing began at the first element of the text.
+/// Such as "line 3 (mismatched element)". `before` is the text before the first element, where
+/// parsing began.
 std::string placeOfError(const tinyxml2::XMLDocument& document, const std::string& before) {
   std::string name = document.ErrorName();
   const std::string prefix = "XML_ERROR_";

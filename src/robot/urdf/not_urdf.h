@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a text is that is no URDF.
+// Tells why a text is no URDF.
 #pragma once
 
 #include <string>

@@ -64,13 +64,13 @@ bool isPattern(const std::string& name) {
   return name.find(kWildcard) != std::string::npos;
 }
 
-/// Not by fnmatch(), to which brackets and question marks in a name are special, too.
-/// Where the rest differs, the last wildcard takes one more character and the rest starts again.
-/// No earlier wildcard needs to: each slash of the pattern has its place.
+/// Not by fnmatch(), to which brackets and question marks in a name are special, too. On a
+/// mismatch, the last wildcard takes one more character, and matching starts again behind it. No
+/// earlier wildcard needs to take more, because each slash of the pattern has its place.
 bool fitsPattern(const std::string& name, const std::string& pattern) {
   std::size_t p = 0;
   std::size_t after_wildcard = 0;  // 0 = there was none yet
-  std::size_t taken = 0;           // end of what the last wildcard stands for
+  std::size_t taken = 0;           // end of the text that the last wildcard stands for
   for (std::size_t i = 0; i < name.size();) {
     if (p < pattern.size() && pattern[p] == kWildcard) {
       after_wildcard = ++p;

@@ -20,7 +20,8 @@ namespace {
 
 using LinkIndex = std::unordered_map<std::string, std::size_t>;
 
-/// Otherwise freeing a chain of 20,000 links, each of which owns the next, overflows the stack.
+/// Cuts the links apart. Otherwise freeing a chain of 20,000 links, each of which owns the next,
+/// overflows the stack.
 void dismantle(urdf::ModelInterface& model) {
   for (auto& [name, link] : model.links_) {
     link->child_links.clear();
@@ -79,7 +80,8 @@ std::vector<LostElement> lostElements(const LinkOutline& link, Purpose purpose, 
   return lost;
 }
 
-/// Of the first `kept` elements, those of which urdfdom read a part only. That part is kept.
+/// Adds the faults of those of the first `kept` elements of which urdfdom read only a part. That
+/// part is used.
 void addSurplus(const LinkOutline& outline, Purpose purpose, std::size_t kept, Link& link) {
   const std::vector<ElementOutline>& elements = outline.elements(purpose);
   for (std::size_t i = 0; i < std::min(kept, elements.size()); ++i) {
@@ -101,7 +103,8 @@ void addLosses(const LinkOutline& outline, const urdf::Link& source, const UrdfL
   }
 }
 
-/// Links that urdfdom found but the outline did not, by name; all if the XML cannot be read.
+/// Adds links that urdfdom found but the outline did not, by name; these are all if the XML cannot
+/// be read.
 void addUnmatchedLinks(const urdf::ModelInterface& model, Robot& robot) {
   LinkIndex known;
   for (const Link& link : robot.links)
@@ -230,7 +233,7 @@ urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& urdf) {
   return is_late ? urdf::parseURDF(elements + kAfterText) : nullptr;
 }
 
-/// With a semicolon before it; "" where the messages of urdfdom are about something else.
+/// The remedy, after a semicolon, if the messages of urdfdom are about limits; else "".
 std::string remedyForLimits(const std::string& messages) {
   for (const char* const about :
        {"does not specify limits", "without limits", "Could not parse limit element"}) {

@@ -66,7 +66,8 @@ void addParts(const Joint& whole, const Parts& parts, Robot& robot) {
   }
 }
 
-/// The name of a floating or planar joint is none of a joint with one value.
+/// The message about the name of a floating or planar joint, which has more than one value; "" for
+/// other names.
 std::string whyNotWhole(const Robot& robot, const std::string& name) {
   std::string parts;
   for (const Joint& joint : robot.joints) {

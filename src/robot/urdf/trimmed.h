@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts without what stands at their ends.
+// Removes characters from the ends of texts.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace link_bounds {
 
-/// Without any of these characters at both ends.
+/// The text without these characters at both ends.
 inline std::string trimmed(const std::string& text, const char* characters = " \t\r\n") {
   const std::size_t begin = text.find_first_not_of(characters);
   if (begin == std::string::npos) return "";
   return text.substr(begin, text.find_last_not_of(characters) - begin + 1);
 }
 
-/// The text before that end. Nothing if the text has another end.
+/// The text without `end`; nothing if it does not end with it.
 inline std::optional<std::string> withoutEnd(const std::string& text, const std::string& end) {
   if (text.size() < end.size() || text.compare(text.size() - end.size(), end.size(), end) != 0)
     return std::nullopt;

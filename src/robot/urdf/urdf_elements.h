@@ -14,7 +14,7 @@ Eigen::Isometry3d toIsometry(const urdf::Pose& pose);
 
 Eigen::Vector3d toVector(const urdf::Vector3& vector);
 
-/// With every visual and collision element. Those with unusable numbers are in Link::lost.
+/// The link with every visual and collision element. Those with unusable numbers are in Link::lost.
 Link toLink(const urdf::Link& source);
 
 }  // namespace link_bounds

@@ -27,7 +27,7 @@ std::string printedWithoutMaterial(const tinyxml2::XMLElement& element) {
   return printer.CStr();
 }
 
-/// Two elements of the tag, or of any if it is null.
+/// True if it has two children with this tag, or with any tags if `tag` is null.
 bool hasTwo(const tinyxml2::XMLElement& element, const char* tag) {
   const tinyxml2::XMLElement* const first = element.FirstChildElement(tag);
   return first && first->NextSiblingElement(tag);

@@ -12,7 +12,8 @@ namespace link_bounds {
 
 struct ElementOutline {
   std::string xml;  ///< without its material
-  /// What it has twice, of which urdfdom reads the first, with the remedy; "" if nothing.
+  /// A message, with the remedy, about a part that it has twice, of which urdfdom reads the first;
+  /// else "".
   std::string surplus;
 };
 
@@ -28,7 +29,7 @@ struct LinkOutline {
 
 struct RobotOutline {
   std::vector<LinkOutline> links;     ///< in the order of the text
-  std::vector<std::string> warnings;  ///< of joints that have an element twice
+  std::vector<std::string> warnings;  ///< about joints that have an element twice
 };
 
 /// Empty if the XML is malformed; urdfdom's parser is more lenient. Throws RobotError if elements

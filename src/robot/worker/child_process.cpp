@@ -23,14 +23,15 @@ namespace {
 
 constexpr int kPollMilliseconds = 20;              // how late an interrupt is noticed
 constexpr std::chrono::milliseconds kExitPoll(1);  // a reader ends within some milliseconds
-constexpr std::chrono::seconds kKillTimeout(2);    // only a process in an uninterruptible call
+constexpr std::chrono::seconds kKillTimeout(2);  // only a process in an uninterruptible call takes
+                                                 // longer
 constexpr int kPipeBytes = 1 << 20;  // what Linux allows any user, see /proc/sys/fs/pipe-max-size
 
 [[noreturn]] void throwSystemError(int error) {
   throw std::system_error(error, std::system_category());
 }
 
-/// For functions that return the error number.
+/// Checks the result of functions that return the error number.
 void check(int error) {
   if (error != 0) throwSystemError(error);
 }

@@ -13,7 +13,7 @@
 
 namespace link_bounds {
 
-/// From the standard output of a child process to this process.
+/// A pipe from the standard output of a child process to this process.
 class Pipe {
  public:
   /// Throws std::system_error.
@@ -48,12 +48,13 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits until it ends, and kills what it has started. Returns the signal that ended it, or 0.
+  /// Waits until the process ends, and kills those that it has started. Returns the signal that
+  /// ended it, or 0.
   int waitForSignal(const CheckInterrupt& check_interrupt);
 
-  /// Kills it and what it has started. Returns false if it does not end within 2 s, as when it
-  /// waits for a file system that does not answer. A later ChildProcess waits for it when it
-  /// starts.
+  /// Kills the process and those that it has started. Returns false if it does not end within 2 s,
+  /// for example because it waits for a file system that does not answer. A later ChildProcess
+  /// waits for it when it starts.
   bool end();
 
  private:

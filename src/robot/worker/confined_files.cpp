@@ -74,8 +74,8 @@ int ConfinedFiles::openForReading(const std::string& path) const {
   return decoded == path ? descriptor : openAndNote(decoded);
 }
 
-/// Where the file cannot be opened, its version is from before the attempt: a file that appears
-/// meanwhile is a new one.
+/// If the file cannot be opened, notes its version from before the attempt, so that a file that
+/// appears meanwhile counts as changed.
 int ConfinedFiles::openAndNote(const std::string& path) const {
   std::error_code error;
   const std::string absolute = std::filesystem::absolute(path, error).string();

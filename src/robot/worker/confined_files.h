@@ -49,7 +49,8 @@ class ConfinedFiles : public Assimp::IOSystem {
   std::string too_large_;
   mutable FileVersions files_;              ///< mutable, as assimp wants Exists() to be const
   mutable int ticks_left_ = kMaxFileTicks;  ///< for all files together
-  std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> bytes_;  ///< by device and inode
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t>
+      bytes_;  ///< sizes by device and inode
 };
 
 }  // namespace link_bounds

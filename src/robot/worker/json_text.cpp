@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is no JSON is left to assimp, which refuses it.
+// Text that is not JSON is left to assimp, which refuses it.
 #include "robot/worker/json_text.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ class JsonReader {
     return result;
   }
 
-  /// Characters that are no ASCII become others: no name that counts has one.
+  /// Characters that are not ASCII may be misread: no name that is checked has one.
   std::string string() {
     std::string result;
     take();
@@ -60,7 +60,7 @@ class JsonReader {
     return result;
   }
 
-  /// What stands behind a backslash.
+  /// The character of an escape sequence, whose backslash was taken.
   char escaped() {
     const char c = take();
     if (c != 'u') return c;

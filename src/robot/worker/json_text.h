@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// As much of JSON as the checks of glTF need.
+// Reads as much of JSON as the checks of glTF need.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct Json {
   /// Members of an object by name, elements of an array by "0", "1" and so on.
   std::vector<std::pair<std::string, Json>> members;
 
-  /// An empty one if there is none.
+  /// The member with that name; an empty value if there is none.
   const Json& operator[](std::string_view name) const;
   bool has(std::string_view name) const;
 };

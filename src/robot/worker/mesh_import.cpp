@@ -79,7 +79,7 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
     corners.assign(face.mIndices, face.mIndices + face.mNumIndices);
     for (std::uint32_t& corner : corners)
       corner += first;
-    // Points and lines become nothing.
+    // Points and lines are left out.
     if (corners.size() == 3) {
       mesh.triangles.push_back({corners[0], corners[1], corners[2]});
     } else if (corners.size() > 3) {
@@ -92,14 +92,14 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
 /// Parts of messages of assimp, in small letters, that tell of geometry that is left out or
 /// misread.
 constexpr std::array kLosses = {
-    // Of warnings.
+    // In warnings.
     "'endsolid' keyword was expected", "not yet complete", "resulted in overflow",
     "unable to find geometry", "dropped", "unable to parse", "vertex index", "invalid index",
     "face index is out of range", "only triangles are supported", "ignoring unrecognized geometry",
     "dxf: ", "surf token", "invalid vertex reference", "number of kids", "face record",
     "index overflow", "<meshref> index", "chunk (metaball", "unknown polygon type",
     "duplicate object id", "meter parameter",
-    // Of errors that may have one of the words below, as in a name.
+    // In errors that may have one of the words below, as in a name.
     "to instanced node", "unresolved reference format", "unexpected eof"};
 
 /// Parts of names of X3D nodes, in small letters, that assimp skips and that hide no geometry.
@@ -114,13 +114,13 @@ constexpr char kSkippingNode[] = "skipping node \"";  // then its name, in quote
 
 /// An error with one of these leaves out no geometry; all other errors may.
 constexpr std::array kNoLosses = {
-    // Of looks and motion.
+    // About looks and motion.
     "material", "mtl", "texture", "uv", "normal", "tangent", "color", "shader", "effect", "diffuse",
     "specular", "light", "camera", "ambient", "emissive", "illumination", "bone", "skeleton",
     "animation", "skin", "mapping",
     // A face without corners, a material before the first vertex, a point with a texture.
     "empty face", "attach a new mesh", "point statement",
-    // Of normals and the like in FBX.
+    // About normals and the like in FBX.
     "vertex data channel", "input data unexpected"};
 
 template <class Parts>
@@ -133,7 +133,7 @@ bool hasAny(const Parts& parts, const std::string& text) {
 /// large, the end of a text, a part of a Collada file that is elsewhere.
 class LossLog : public Assimp::Logger {
  public:
-  /// "" if there is none.
+  /// The first message about lost geometry; "" if there is none.
   const std::string& firstLoss() const { return first_loss_; }
 
   // The names of pure functions differ between versions of assimp (OnVerboseDebug, detachStream
@@ -167,7 +167,7 @@ class LossLog : public Assimp::Logger {
   std::string first_loss_;
 };
 
-/// Assimp finds out most formats by the name; that of a symbolic link does not count.
+/// Assimp finds out most formats by the file name; the name of a symbolic link does not count.
 std::string hintFor(const Assimp::Importer& importer, const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   return importer.IsExtensionSupported(extension) ? "" : "; name it with its extension";

@@ -90,7 +90,8 @@ MeshFault faultOf(const std::error_code& error) {
   return MeshFault::kReader;
 }
 
-/// That of the running program if the library is linked into it; "" if unknown.
+/// The folder of this library, or of the running program if the library is linked into it; "" if
+/// unknown.
 std::filesystem::path folderOfLibrary() {
   static const char own_symbol = 0;
   Dl_info info{};
@@ -99,7 +100,7 @@ std::filesystem::path folderOfLibrary() {
   return std::filesystem::canonical(info.dli_fname, ignored).parent_path();
 }
 
-/// In the order of search.
+/// The folders in which mesh_worker is looked for, in this order.
 std::vector<std::filesystem::path> foldersOfWorker() {
   std::vector<std::filesystem::path> folders{
       std::filesystem::read_symlink("/proc/self/exe").parent_path()};

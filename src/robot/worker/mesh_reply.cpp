@@ -18,7 +18,7 @@ constexpr std::uint32_t kVersion = 3;
 constexpr std::uint32_t kMesh = 0;
 constexpr std::uint32_t kFirstError = 1;
 constexpr std::uint32_t kLastError = kFirstError + static_cast<std::uint32_t>(kLastMeshFault);
-constexpr std::uint64_t kMaxTextBytes = 4096;  // of an error; a path has as many at most
+constexpr std::uint64_t kMaxTextBytes = 4096;  // of the reason of an error
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -114,7 +114,7 @@ std::string listOf(const FileVersions& files) {
   return list;
 }
 
-/// In ascending order of their paths, as listOf() writes them.
+/// Reads a list of files. Their paths must be in ascending order, as listOf() writes them.
 FileVersions filesIn(std::string_view list) {
   FileVersions files;
   while (!list.empty()) {

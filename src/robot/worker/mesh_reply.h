@@ -28,7 +28,7 @@ namespace link_bounds {
 /// Fills `out` with the next bytes and returns how many; fewer than `wanted` only at the end.
 using ByteSource = std::function<std::size_t(void* out, std::size_t wanted)>;
 
-/// Accepts all of the bytes.
+/// Writes all of the bytes.
 using ByteSink = std::function<void(const void* bytes, std::size_t count)>;
 
 /// The reply breaks the rules above, so nothing in it can be trusted.

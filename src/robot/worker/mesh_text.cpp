@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Assimp reads a number up to its first odd character, and what is left as the next number.
+// Assimp reads a number up to its first odd character, and the rest as the next number.
 #include "robot/worker/mesh_text.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-/// The words of a message are no longer.
+/// Max length of a word in a message.
 constexpr std::size_t kMaxShown = 40;
 
 bool isDigit(char c) {
@@ -63,7 +63,7 @@ std::string Lines::all() {
   return text;
 }
 
-/// Into line_. False at the end.
+/// Reads the next line into line_. False at the end.
 bool Lines::take(std::size_t max_size) {
   line_.clear();
   skipEndOfCrLf();

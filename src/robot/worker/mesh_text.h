@@ -27,8 +27,8 @@ class Lines {
   void skipComments(char begin) { comment_ = begin; }
   void keepBlankLines() { keeps_blank_ = true; }
 
-  /// At most `max_size` bytes of it, the rest of which is the next line. Nothing at the end. It is
-  /// valid until the next call.
+  /// The next line; of a longer one the first `max_size` bytes, and its rest is then the next line.
+  /// Nothing at the end of the file. Valid until the next call.
   std::optional<std::string_view> next(std::size_t max_size = SIZE_MAX);
 
   /// Where the line is that next() has returned: "line 1" is the first of the file.
@@ -36,16 +36,17 @@ class Lines {
 
   std::size_t fileSize() const { return file_->FileSize(); }
 
-  /// The first bytes of the file, at most as many; the next line is the first one.
+  /// The first `size` bytes of the file, or all if it has fewer. next() then begins with the first
+  /// line.
   std::string beginning(std::size_t size);
 
-  /// What follows the last line.
+  /// All bytes after the line that next() has returned last.
   std::string rest();
 
-  /// Whether the last line ended with \r, alone or before \n. Not to be asked after rest().
+  /// Whether the last line ended with \r, alone or before \n. Not known after rest().
   bool isAfterCr() const { return is_after_cr_; }
 
-  /// The file as it is; there is no next line.
+  /// The whole file; next() then has no line.
   std::string all();
 
  private:
@@ -70,32 +71,32 @@ class Words {
  public:
   explicit Words(std::string_view text) : rest_(text) {}
 
-  /// Empty if there is none.
+  /// The next word; empty at the end.
   std::string_view next();
 
-  /// They are counted; the first that is no number is refused. Words of a comment, which begins
-  /// with `comment`, do not count.
+  /// Counts the words, up to a comment that begins with `comment`. Throws MeshError for a word that
+  /// is no number.
   std::size_t countNumbers(const std::string& place, char comment = '\0');
 
  private:
   std::string_view rest_;
 };
 
-/// Whether assimp reads the word to its end; also for "nan" and "inf", which it knows, and for a
-/// decimal comma.
+/// Whether assimp reads the whole word as a number; also for "nan" and "inf", which it knows, and
+/// for a decimal comma.
 bool isNumber(std::string_view word);
 
-/// Assimp reads larger ones as smaller ones.
+/// Whether the word is an index below 2^31; assimp reads larger ones as smaller ones.
 bool isIndex(std::string_view word);
 
-/// 0 for what is none.
+/// The number with which the word begins; 0 if there is none.
 std::size_t countOf(std::string_view word);
 
-/// Throw MeshError if it is none.
+/// Throw MeshError if the word is no number or no index.
 void requireNumber(std::string_view word, const std::string& place);
 void requireIndex(std::string_view word, const std::string& place);
 
-/// For a message: the beginning of a long one.
+/// The word in quotes, for a message; a long one is cut.
 std::string inQuotes(std::string_view word);
 
 std::string inSmallLetters(std::string text);

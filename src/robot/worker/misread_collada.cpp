@@ -21,7 +21,7 @@ namespace {
 constexpr std::pair<std::string_view, std::size_t> kElementsOfNumbers[] = {
     {"matrix", 16}, {"translate", 3}, {"rotate", 4}, {"scale", 3}, {"lookat", 9}};
 
-/// What elements that place geometry may hold; assimp leaves out an element with another name.
+/// The children that an element that places geometry may have; assimp leaves out any other child.
 constexpr std::pair<std::string_view, std::string_view> kChildren[] = {
     {"asset",
      " contributor coverage created extra keywords modified revision subject title unit up_axis "},
@@ -37,15 +37,15 @@ constexpr std::pair<std::string_view, std::string_view> kChildren[] = {
 constexpr std::string_view kPrimitives =
     " lines linestrips polygons polylist triangles trifans tristrips ";
 
-/// `names` are between blanks.
+/// `names` has names between blanks.
 bool isIn(std::string_view names, std::string_view name) {
   return names.find(" " + std::string(name) + " ") != names.npos;
 }
 
-/// Assimp reads what is behind an array where an accessor reaches beyond it, takes the index -1 for
-/// 0, and x for a coordinate of a position that has no name. Where a position has more coordinates
-/// than the stride, it takes those of the next one. It leaves out primitives whose count is 0, and
-/// vertices without positions.
+/// Assimp reads memory behind an array if an accessor reaches beyond it, takes the index -1 for 0,
+/// and takes x for a coordinate of a position whose param has no name. Where a position has more
+/// coordinates than the stride, it takes those of the next one. It leaves out primitives whose
+/// count is 0, and vertices without positions.
 class ColladaCheck {
  public:
   void run(XmlTags tags) {
@@ -117,7 +117,7 @@ class ColladaCheck {
       throw MeshError("positions are named outside of <vertices>, in " + tags.place());
   }
 
-  /// Elements in it may have other meanings, or say nothing of geometry.
+  /// Elements inside of it may have other meanings, or say nothing of geometry.
   static bool isOther(std::string_view element) {
     return element == "extra" || element == "library_animations";
   }
@@ -227,20 +227,20 @@ class ColladaCheck {
     return std::strtod(word.c_str(), nullptr);
   }
 
-  std::vector<std::string> open_;                     ///< elements
+  std::vector<std::string> open_;                     ///< names of open elements
   int others_ = 0;                                    ///< open elements of isOther()
   double primitives_ = 0;                             ///< count of the last element of kPrimitives
-  bool has_positions_ = false;                        ///< the last <vertices>
+  bool has_positions_ = false;                        ///< whether the last <vertices> has any
   std::set<std::string> geometries_;                  ///< ids
   double array_size_ = 0;                             ///< of the last array
   std::map<std::string, double> sizes_;               ///< of arrays, by id; the smallest counts
-  std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
-  double params_ = 0;                                 ///< of the last accessor
-  std::string source_;                                ///< id of the last one
+  std::vector<std::pair<std::string, double>> ends_;  ///< by accessor: its array, and its end there
+  double params_ = 0;                                 ///< count in the last accessor
+  std::string source_;                                ///< id of the open <source>
   std::map<std::string, std::vector<std::string>> params_of_;  ///< of accessors, by sources
   std::map<std::string, double> strides_;                      ///< of accessors, by sources
   std::set<std::string> positions_;                            ///< ids of sources
-  bool has_items_ = false;                                     ///< it has
+  bool has_items_ = false;  ///< whether the last accessor has any
 };
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-/// Assimp leaves out faces with more.
+/// Assimp leaves out faces with more corners.
 constexpr std::size_t kMaxCornersInOff = 9;
 
 /// A scalar, or a list after its length.
@@ -59,7 +59,7 @@ std::size_t lengthOf(std::string_view word, bool is_float, const std::string& pl
   throw MeshError(inQuotes(word) + " is no number of corners, in " + place);
 }
 
-/// A line of a text. Words that follow may be a colour.
+/// A line of a text. Words after those that are read may be a colour.
 class Line {
  public:
   Line(std::string_view text, std::string place) : words_(text), place_(std::move(place)) {}
@@ -88,7 +88,7 @@ class Line {
   std::string place_;
 };
 
-/// Calls check(line) for each.
+/// Calls check(line) for each of the next `count` lines.
 template <class Check>
 void eachLine(Lines& lines, const std::string& name, std::size_t count, const Check& check) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -105,8 +105,8 @@ bool hasLists(const Elements& elements) {
                      [](const Property& property) { return property.is_list; });
 }
 
-/// Colours of faces are not always announced. They are in all lines or in none, so that a face that
-/// has lost corners is noticed by what is left of them.
+/// A colour may follow the corners of a face without being announced. All lines must have the same
+/// count of further numbers, so that corners that a face does not count are noticed.
 void checkText(Lines& lines, const Elements& elements) {
   std::optional<std::size_t> colours;
   eachLine(lines, elements.name, elements.count, [&](Line& line) {
@@ -177,7 +177,7 @@ void checkBinary(Data& data, const Elements& elements) {
   for (std::size_t i = 0; i < elements.count; ++i) {
     for (const Property& property : elements.properties) {
       const std::size_t length = property.is_list ? data.length(property.length_type) : 1;
-      // That can be what is left of a face that was read as a vertex.
+      // This may be the rest of a face whose beginning was read as a vertex.
       if (i == 0 && length == 0 && property.name.rfind("vertex_ind", 0) == 0)
         throw MeshError("its first face has no corners, as where a count of vertices is wrong");
       data.skip(length, sizeOf(property.type));
@@ -192,8 +192,8 @@ struct PlyHeader {
   std::vector<Elements> elements;
 };
 
-/// Assimp leaves out the properties of an element that follow a comment or another line. That does
-/// no harm to other numbers of a text than coordinates.
+/// Assimp leaves out the properties of an element that follow a comment or another line. In a text,
+/// this is harmless for all numbers but coordinates.
 void checkProperty(const Property& property, bool is_after_other, bool is_text) {
   sizeOf(property.type);
   if (property.is_list) sizeOf(property.length_type);
@@ -241,7 +241,7 @@ PlyHeader readPlyHeader(Lines& lines) {
   }
 }
 
-/// Assimp takes 0 for one that is missing, and the last of two.
+/// Assimp takes 0 for a coordinate that is missing, and the last of two with one name.
 void checkCoordinates(const PlyHeader& header) {
   for (const Elements& elements : header.elements) {
     const auto& properties = elements.properties;

@@ -29,12 +29,12 @@ constexpr std::pair<const char*, Check> kExtensions[] = {
     {".ase", checkAse},     {".ask", checkAse},      {".dxf", checkDxf},   {".raw", checkRaw},
     {".x", refuseX}};
 
-/// In small letters, with which files begin; only blanks may stand before it.
+/// Texts, in small letters, with which files begin; only blanks may stand before them.
 constexpr std::pair<const char*, Check> kBeginnings[] = {
     {"solid", checkStl}, {"off", checkOff}, {"gltf", checkGltf},   {"{", checkGltf},
     {"ac3d", checkAc3d}, {"xof ", refuseX}, {"*3dsmax", checkAse}, {"pk\x03\x04", refuseArchive}};
 
-/// More than assimp looks at.
+/// How many bytes are examined: more than assimp examines.
 constexpr std::size_t kBeginning = 1 << 12;
 
 /// The word is alone in its line: the header of a binary STL may begin with the same letters.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What assimp reads without a word, but wrong.
+// Refuses files that assimp misreads without a message.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace link_bounds {
 
-/// Throws MeshError for what assimp leaves out or misreads: numbers that are none to their end,
+/// Throws MeshError for what assimp leaves out or misreads: words that are numbers only in part,
 /// vertices and faces of OBJ that it skips, wrong indices, triangle strips of PLY, faces of many
 /// corners of OFF, extensions of glTF that move vertices, units and accessors of Collada; and for
 /// texts, and PLY, that hold less or more than their header says.

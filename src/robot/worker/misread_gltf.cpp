@@ -22,7 +22,7 @@ constexpr std::array<const char*, 4> kUnknownToAssimp{
     "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
     "KHR_meshopt_compression"};
 
-/// Beginnings of those that may be required, and change no vertex or are known to assimp.
+/// Prefixes of extensions that may be required, because they change no vertex or assimp knows them.
 constexpr std::array<const char*, 11> kHarmless{
     "KHR_materials_",  "KHR_texture_",    "EXT_texture_", "MSFT_texture_",
     "KHR_lights_",     "EXT_lights_",     "KHR_xmp",      "KHR_draco_mesh_compression",
@@ -31,7 +31,7 @@ constexpr std::array<const char*, 11> kHarmless{
 /// The componentType of a glTF that assimp reads as a position.
 constexpr char kFloat[] = "5126";
 
-/// Those that it reads as indices: unsigned ones of 8, 16 and 32 bits.
+/// The componentTypes that assimp reads as indices: unsigned integers of 8, 16 and 32 bits.
 constexpr std::array kTypesOfIndices{"5121", "5123", "5125"};
 
 /// Members that may be in objects that place geometry; "skeletons" by assimp's own exporter.
@@ -51,14 +51,14 @@ constexpr std::pair<const char*, std::size_t> kNumbersOfNode[] = {
 
 constexpr double kSizeOfPosition = 12;  // bytes
 
-/// Of two, assimp reads the first one.
+/// Refuses two members of one name, of which assimp reads only the first.
 void refuseTwice(const Json& object, const std::string& what) {
   std::set<std::string> names;
   for (const auto& [name, value] : object.members)
     if (!names.insert(name).second) throw MeshError(what + " has two members " + inQuotes(name));
 }
 
-/// `known` are between blanks. `what` is the object.
+/// `known` has names between blanks. `what` names the object in messages.
 void checkMembers(const Json& object, std::string_view known, const std::string& what) {
   refuseTwice(object, what);
   for (const auto& [name, value] : object.members) {
@@ -143,7 +143,7 @@ class Primitives {
                   ", which assimp does not know; export it without");
 }
 
-/// The name of an extension that is used stands as a name or string.
+/// The name of an extension that is used is the name of a member or a string.
 void refuseUnknown(const Json& value) {
   for (const char* const unknown : kUnknownToAssimp)
     if (value.text == unknown) refuseExtension(unknown);
@@ -159,7 +159,7 @@ bool isHarmless(const std::string& extension) {
                      [&](const char* beginning) { return extension.rfind(beginning, 0) == 0; });
 }
 
-/// A binary file has its size before it.
+/// The JSON of a file. In a binary file, its size stands before it.
 std::string_view jsonOf(const std::string& file) {
   constexpr std::size_t kAtSize = 12, kBegin = 20;
   const std::string_view text = file;

@@ -13,7 +13,7 @@ bool startsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
 }
 
-/// As assimp looks at it: any other file is a text.
+/// The rule of assimp: any other file is a text.
 bool isBinaryStl(Lines& lines) {
   constexpr std::size_t kHeader = 80;
   const std::string text = lines.beginning(kHeader + sizeof(std::uint32_t));
@@ -27,8 +27,8 @@ bool isSignOrDigit(char c) {
   return ('0' <= c && c <= '9') || c == '-' || c == '+';
 }
 
-/// Assimp leaves out a vertex with another count of numbers, or with one that begins with its
-/// point.
+/// Assimp leaves out a vertex with another count of numbers, or with a number that begins with its
+/// decimal point.
 constexpr std::array<std::size_t, 3> kNumbersOfObjVertex{3, 4, 6};
 
 std::size_t countObjNumbers(std::string_view text, const std::string& place) {
@@ -44,7 +44,7 @@ std::size_t countObjNumbers(std::string_view text, const std::string& place) {
   return count;
 }
 
-/// The first words that the format has, and "fo", an old face. Assimp leaves out other lines.
+/// The first words of lines that OBJ has, and "fo", an old face. Assimp leaves out other lines.
 constexpr std::array kObjWords{
     "v",        "vt",       "vn",   "vp",         "p",         "l",     "f",     "fo",     "g",
     "s",        "mg",       "o",    "usemtl",     "mtllib",    "bevel", "lod",   "curv",   "curv2",
@@ -54,7 +54,8 @@ constexpr std::array kObjWords{
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Some exporters write a byte order mark, comments as in C, or an end of file as DOS has it.
+/// Accepts what some exporters write: a byte order mark, comments as in C, or an end of file as DOS
+/// has it.
 void checkObjWord(std::string_view word, const std::string& place) {
   if (startsWith(word, kByteOrderMark)) {
     word.remove_prefix(kByteOrderMark.size());
@@ -78,7 +79,7 @@ void checkObjCorners(std::string_view text, const std::string& place) {
   }
 }
 
-/// Three numbers follow the word "vertex". The next word is returned.
+/// Checks the three numbers after the word "vertex", and returns the word after them.
 std::string_view checkStlVertex(Words& words, const std::string& place) {
   for (int i = 0; i < 3; ++i)
     requireNumber(words.next(), place);
@@ -90,8 +91,8 @@ std::string_view checkStlVertex(Words& words, const std::string& place) {
 
 }  // namespace
 
-/// By words, which may stand in any line. Assimp reads another part only where the line behind an
-/// "endsolid" begins with "solid".
+/// Checks by words, which may stand in any line. Assimp reads another part only if the line after
+/// an "endsolid" begins with "solid".
 void checkStl(Lines& lines) {
   if (isBinaryStl(lines)) return;
   bool is_over = false, is_lost = false;
@@ -149,10 +150,10 @@ void checkObj(Lines& lines) {
   }
 }
 
-/// Without objects and surfaces that are not announced, which assimp leaves out.
+/// Also refuses objects and surfaces that are not announced, because assimp leaves them out.
 void checkAc3d(Lines& lines) {
   std::size_t objects = 0, announced_objects = 1, surfaces = 0, announced_surfaces = 0;
-  std::size_t corners = 0;  // that are still to come
+  std::size_t corners = 0;  // of the current surface that are still to come
   while (const auto line = lines.next()) {
     Words words(*line);
     const std::string_view first = words.next();
@@ -175,7 +176,7 @@ void checkAc3d(Lines& lines) {
                     std::to_string(announced_surfaces) + " by kids and numsurf");
 }
 
-/// Assimp reads what is behind the vertices where a corner is beyond them.
+/// Refuses a corner beyond the vertices, for which assimp reads the memory behind them.
 void checkAse(Lines& lines) {
   std::size_t vertices = 0;
   while (const auto line = lines.next()) {
@@ -208,7 +209,7 @@ void checkDxf(Lines& lines) {
   }
 }
 
-/// A line has 9 numbers, or 12, and then at most the name of a texture. All others are names.
+/// A line has 9 numbers, or 12, and then at most the name of a texture. All other lines are names.
 void checkRaw(Lines& lines) {
   while (const auto line = lines.next()) {
     Words words(*line);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// In two dimensions: without the axis along which the polygon is thinnest.
+// Works in two dimensions: drops the axis along which the polygon is thinnest.
 #include "robot/worker/polygon.h"
 
 #include <Eigen/Geometry>
@@ -28,7 +28,8 @@ double turn(const Corner& a, const Corner& b, const Corner& c) {
   return in.x() * out.y() - in.y() * out.x();
 }
 
-/// The corners in 2D, without the axis nearest to the normal; the polygon then turns to the left.
+/// The corners in 2D, without the axis nearest to the normal; the polygon is then
+/// counter-clockwise.
 std::vector<Corner> flattened(const CornerIndices& corners,
                               const std::vector<Eigen::Vector3f>& vertices) {
   const auto at = [&](std::size_t i) -> Eigen::Vector3d {
@@ -47,7 +48,7 @@ std::vector<Corner> flattened(const CornerIndices& corners,
   return result;
 }
 
-/// What is left of the polygon.
+/// The part of the polygon that is not yet cut off.
 class Ring {
  public:
   explicit Ring(std::vector<Corner> corners) : corners_(std::move(corners)) {}
@@ -60,8 +61,8 @@ class Ring {
     return true;
   }
 
-  /// The first corner that is at the place of the one before, or the tip of a line there and back,
-  /// or size().
+  /// The first corner that is at the place of the one before, or the tip of a spike; size() if
+  /// there is none.
   std::size_t findFlat() const {
     std::size_t i = 0;
     while (i < size() && before(i).point != corners_[i].point && !goesBack(i))
@@ -69,16 +70,17 @@ class Ring {
     return i;
   }
 
-  /// The triangle of this corner and its neighbours is within the polygon, and the rest does not
-  /// run through it: no other corner that may hold a part of the rest there is in it, nor on its
-  /// edges, but for bridges to holes, which lead back to the same place.
+  /// True if the triangle of this corner and its neighbours is inside the polygon, and the rest of
+  /// the polygon does not run through it: no other corner that is concave or straight is in the
+  /// triangle or on its edges, except at its corners, to which bridges to holes lead back.
   bool isEar(std::size_t i) const {
     return turnAt(i) >= 0 && !holds(i, [&](const Corner& corner, double turn, double least) {
              return turn <= 0 && least >= 0 && turnAt(i) > 0 && !isAtCorner(corner, i);
            });
   }
 
-  /// For polygons that touch themselves: what is only on an edge of the triangle does not count.
+  /// As isEar(), for polygons that touch themselves: corners on an edge of the triangle do not
+  /// count.
   bool isEarBesides(std::size_t i) const {
     return turnAt(i) >= 0 && !holds(i, [](const Corner&, double turn, double least) {
              return turn < 0 && least > 0;
@@ -110,8 +112,8 @@ class Ring {
            corner.point == after(i).point;
   }
 
-  /// `counts` gets a corner, its turn, and the least of the turns from the edges of the triangle at
-  /// i to it: above 0 inside.
+  /// True if `counts` is true for a corner. It gets the corner, its turn, and the min turn from an
+  /// edge of the triangle at i to it, which is above 0 inside.
   template <class Counts>
   bool holds(std::size_t i, const Counts& counts) const {
     for (std::size_t k = 0; k < size(); ++k) {

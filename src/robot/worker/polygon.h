@@ -12,10 +12,10 @@ namespace link_bounds {
 
 using CornerIndices = std::vector<std::uint32_t>;  // indices of vertices, in order
 
-/// Two triangles fewer than corners, of which each is in one, so that the box is that of the
-/// polygon. A convex polygon becomes a fan from its first corner. Of a concave one ears are cut
-/// off, so that the triangles cover it and nothing else, also where bridges lead to its holes.
-/// Where there is no ear, because the polygon crosses itself, the rest becomes a fan.
+/// Gives two triangles fewer than there are corners. Each corner is in a triangle, so that their
+/// box is that of the polygon. A convex polygon becomes a fan from its first corner. From a concave
+/// one, ears are cut off, so that the triangles cover it and nothing else, also where bridges lead
+/// to its holes. If there is no ear, because the polygon crosses itself, the rest becomes a fan.
 /// Throws MeshError for a polygon of thousands of corners with so many notches that it takes
 /// seconds.
 std::vector<std::array<std::uint32_t, 3>> trianglesOf(const CornerIndices& corners,

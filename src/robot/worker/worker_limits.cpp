@@ -30,7 +30,7 @@ constexpr std::uint64_t kMinMemory = std::uint64_t(512) << 20;
 constexpr std::uint64_t kMemoryPerByte = 32;
 constexpr rlim_t kOpenFiles = 32;
 
-/// For functions that return -1 and set errno.
+/// Checks the result of functions that return -1 and set errno.
 void checkCall(int result) {
   if (result != 0) throw std::system_error(errno, std::system_category());
 }

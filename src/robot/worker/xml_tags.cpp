@@ -115,7 +115,7 @@ void XmlTags::skipBehind(std::string_view end) {
   at_ = found == xml_.npos ? xml_.size() : found + end.size();
 }
 
-/// That of an attribute may have the character that ends a tag.
+/// Skips values in quotes, because they may have the character that ends a tag.
 std::size_t XmlTags::endOfTag() const {
   std::size_t at = at_;
   for (;;) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tags of a XML text one by one, however deeply nested. What is no XML is left to assimp.
+// The tags of a XML text one by one, however deeply nested. Text that is not XML is left to assimp.
 #pragma once
 
 #include <cstddef>
@@ -19,19 +19,19 @@ class XmlTags {
 
   bool isText() const { return is_text_; }
 
-  /// Of a text: the element that has begun just before it; else "".
+  /// The element of the tag; for a text, the element that has begun just before it, else "".
   std::string_view name() const { return name_; }
   bool isEnd() const { return is_end_; }      ///< of an element; also of one without content
   bool isBegin() const { return is_begin_; }  ///< of an element
 
-  /// Of it, and of an attribute, references to characters of ASCII are replaced, such as &#51;
+  /// The text. In it and in attributes, references to ASCII characters are replaced, such as &#51;
   /// by 3.
   std::string text() const;
 
-  /// Nothing if the tag has none.
+  /// The value of an attribute; nothing if the tag has none.
   std::optional<std::string> attribute(std::string_view name) const;
 
-  /// "line 1" is the first.
+  /// The line of the tag or text; "line 1" is the first.
   std::string place() const { return "line " + std::to_string(line_); }
 
  private:

@@ -30,7 +30,7 @@ struct BoxGroup {
   bool lacks_members = false;  ///< the user named a member that does not exist
 };
 
-/// Widens the state of a group by that of one more member.
+/// Extends the state of a group by that of one more member.
 void addMember(BoxState& group, const BoxState& member);
 
 /// The union of the members that have a box; the oldest non-zero stamp of these; incomplete while

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Directed rounding: what keeps a box from being smaller than what it bounds.
+/// Directed rounding, so that no box is smaller than the shape that it bounds.
 ///
 /// With u = 2^-53, every function here is exact when the result is representable and otherwise
 /// steps at most one ulp outward. None depends on the processor's rounding mode.
@@ -28,7 +28,7 @@ inline double nextDown(double value) {
 /// for ARM and for x86 with FMA, and the steps would then disagree about its value.
 double addUp(double a, double b);
 
-/// As addUp, but not above the real sum.
+/// a + b rounded to nearest, or one ulp below where that is above the real sum.
 double addDown(double a, double b);
 
 /// The smallest float that is not below the value; infinite if there is none.

@@ -12,28 +12,28 @@
 
 namespace link_bounds {
 
-/// What decided the lower bound: axis-aligned boxes, convex hulls, or triangles.
+/// The level that decided the lower bound: axis-aligned boxes, convex hulls, or triangles.
 enum class DistanceLevel { kBox, kHull, kMesh };
 
 /// Lengths are metres, points and directions are in the world.
 struct BodyDistance {
   /// Proven: no point of one body is nearer to the other. 0: they may touch.
   double lower;
-  /// At least the distance of the bodies: that of on_first and on_second before these are rounded.
+  /// Proven upper bound: the distance of on_first and on_second before these are rounded.
   double upper;
   Eigen::Vector3d on_first;  ///< a point of the first body
   Eigen::Vector3d on_second;
   /// Unit, from the first body to the second; zero if `lower` is 0. At the levels kBox and kHull,
-  /// bodies of one shape each are at least `lower` apart along it, which proves `lower`; of several
-  /// shapes it may hold for two only. At kMesh it is the direction from on_first to on_second, and
-  /// no single direction proves `lower`.
+  /// bodies of one shape each are at least `lower` apart along it, which proves `lower`; for bodies
+  /// of several shapes, this may hold for two shapes only. At kMesh it is the direction from
+  /// on_first to on_second, and no single direction proves `lower`.
   Eigen::Vector3d normal;
   DistanceLevel level;
 };
 
 struct DistanceGoal {
   /// `upper` - `lower` shall not exceed this [m], > 0. Rounding is added: up to 1e-12 of the
-  /// largest coordinates of both bodies and of the distance of their origins. Also close to
+  /// largest coordinates of both bodies and of the distance of their origins. Even close to
   /// contact, 1e-8 of the bodies' size is reached.
   double accuracy = 1e-4;
   /// Bodies that are proven to be farther apart need no accuracy [m], >= 0.
@@ -45,10 +45,10 @@ struct DistanceGoal {
   /// `accuracy`.
   double relative_accuracy = 0;
 
-  /// What the bounds may differ by, if the upper one is this [m].
+  /// Max difference of the bounds if the upper one is `upper` [m].
   double tolerance(double upper) const { return std::max(accuracy, relative_accuracy * upper); }
 
-  /// The least lower bound that suffices then [m].
+  /// The min lower bound that suffices if the upper one is `upper` [m].
   double enough(double upper) const {
     return std::min({limit, upper - accuracy, (1 - relative_accuracy) * upper});
   }

@@ -9,13 +9,12 @@
 
 namespace link_bounds {
 
-/// Some bodies at their last poses, and the one owner of what makes distances fast: of each pair it
-/// remembers what was nearest, and the next search of that pair begins there. A memory ends when
-/// one of the two bodies is replaced, or with forgetUnused(). Bounds of find() and of
-/// bodyDistance() hold alike and are as near to each other, but they may differ within
-/// goal.tolerance(). A memory takes up to 97 KiB for a pair of meshes and less than 1 KiB for
-/// others. Throws nothing but std::bad_alloc. Not thread-safe. A moved-from object may only be
-/// assigned to or destroyed.
+/// Some bodies at their last poses. To be fast, it remembers of each pair which parts were nearest,
+/// and the next search of that pair begins there. A memory ends when one of the two bodies is
+/// replaced, or with forgetUnused(). The bounds of find() are as tight as those of bodyDistance(),
+/// but their values may differ within goal.tolerance(). A memory takes up to 97 KiB for a pair of
+/// meshes and less than 1 KiB for others. Throws nothing but std::bad_alloc. Not thread-safe. A
+/// moved-from object may only be assigned to or destroyed.
 class BodyDistances {
  public:
   explicit BodyDistances(const DistanceGoal& goal = {});
@@ -31,15 +30,15 @@ class BodyDistances {
 
   void setGoal(const DistanceGoal& goal);
 
-  /// Nothing if one of the two is not there, has had no pose, or has no finite box in its last one.
-  /// While neither body moves, what reaches the goal stays the same, unless the boxes of the bodies
-  /// alone prove the limit.
+  /// Nothing if one of the two bodies does not exist, has no pose yet, or has no finite box at its
+  /// last pose. While neither body moves, a result that reaches the goal stays the same, unless the
+  /// boxes of the bodies alone prove the limit.
   std::optional<BodyDistance> find(std::size_t first, std::size_t second);
 
-  /// As find(), but searches nothing where both bodies have moved so little, relative to each
-  /// other, that what the last search of the pair found is still good enough: its lower bound,
-  /// less that motion, and its points, carried along with the bodies. Both bounds are proven as
-  /// those of find(), and as near to each other. Poses that scale or mirror are searched each time.
+  /// As find(), but does not search while the bodies have moved so little, relative to each other,
+  /// that the last result of the pair is still good enough: its lower bound less that motion, and
+  /// its points carried along with the bodies. Both bounds are proven, and as near to each other as
+  /// those of find(). Poses that scale or mirror are searched each time.
   std::optional<BodyDistance> follow(std::size_t first, std::size_t second);
 
   /// As find(), with another limit [m], and remembers nothing of the pair.

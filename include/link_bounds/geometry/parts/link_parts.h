@@ -34,7 +34,7 @@ constexpr std::size_t kBytesPerPart = 16'000;
 /// and no part is empty. The sum of the parts' volumes, in the axes of the link, does not rise with
 /// `max_parts`, but for rounding. There are fewer parts if more would not reduce it. There is one
 /// part if a shape has no finite box. A mesh whose points would take too much memory is not
-/// divided. What `check_interrupt` throws ends it.
+/// divided. An exception of `check_interrupt` is passed on.
 std::vector<LinkPart> splitIntoParts(const std::vector<DivisibleShape>& shapes,
                                      std::size_t max_parts,
                                      const CheckInterrupt& check_interrupt = nullptr);

@@ -16,11 +16,11 @@ struct MovedLink {
   const Eigen::Affine3d* world_from_link;
 };
 
-/// The boxes of some links in their last poses, and the one owner of what makes updates fast. It
-/// keeps how far each shape extends along the axes of the world, with the linear part of the pose
-/// that this holds for. A row of that part which comes again needs no work but the translation:
-/// the paper's rule for objects that only move. Nothing else survives an update, so each box has
-/// the bits that linkBox() gives. Updates neither throw nor allocate.
+/// The boxes of some links at their last poses. To be fast, it keeps how far each shape extends
+/// along the axes of the world, with the linear part of the pose that this holds for. If a row of
+/// that part stays the same, only the translation is added anew: the paper's rule for objects that
+/// only translate. Nothing else survives an update, so each box has the same bits as that of
+/// linkBox(). Updates neither throw nor allocate.
 class LinkBoxes {
  public:
   /// Copies the shapes; the links need not live longer.
@@ -34,7 +34,7 @@ class LinkBoxes {
 
   void update(std::size_t link, const Eigen::Affine3d& world_from_link);
 
-  /// What linkBox() gives in the link's last pose; nothing before its first one.
+  /// The result of linkBox() at the link's last pose; nothing before the first update.
   const std::optional<Aabb>& box(std::size_t link) const { return boxes_[link]; }
 
  private:

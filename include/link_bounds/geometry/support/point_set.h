@@ -22,8 +22,8 @@ struct DirectionTable;  // private to the library
 /// scans all of them.
 class PointSet {
  public:
-  /// `points` must be finite and not empty. Millions of points can take seconds; what
-  /// `check_interrupt` throws ends that.
+  /// `points` must be finite and not empty. Millions of points can take seconds; an exception of
+  /// `check_interrupt` is passed on.
   explicit PointSet(const std::vector<Eigen::Vector3f>& points,
                     const CheckInterrupt& check_interrupt = nullptr);
 
@@ -63,7 +63,7 @@ class PointSet {
   /// Bytes kept in memory.
   std::size_t bytes() const;
 
-  /// Null for points in double. For the library alone.
+  /// The table; null for points in double. For the library alone.
   const DirectionTable* table() const { return table_.get(); }
 
  private:

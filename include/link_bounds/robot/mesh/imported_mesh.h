@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The triangles of a mesh file, and of which files they came.
+/// The triangles of a mesh file, and the files that they came from.
 #pragma once
 
 #include <time.h>
@@ -14,7 +14,7 @@
 
 namespace link_bounds {
 
-/// Differs whenever a file was written or replaced. All 0: there is no regular file. cp -p and tar
+/// Changes whenever a file is written or replaced. All 0: there is no regular file. cp -p and tar
 /// can restore an old `written`, but only the kernel sets `changed`.
 struct FileVersion {
   std::uint64_t device = 0;
@@ -29,16 +29,16 @@ struct FileVersion {
 /// Follows symbolic links.
 FileVersion fileVersion(const std::string& path);
 
-/// By path.
+/// Versions of files, by path.
 using FileVersions = std::map<std::string, FileVersion>;
 
 struct ImportedMesh : TriangleMesh {
-  /// Without files: of a reader that opens none but the mesh itself.
+  /// Without files: for a reader that opens only the mesh file itself.
   ImportedMesh(TriangleMesh mesh, FileVersions its_files = {})  // NOLINT: readers may return a mesh
       : TriangleMesh(std::move(mesh)), files(std::move(its_files)) {}
 
-  /// Which files the reader opened, or looked for in vain, and as what: buffers of a glTF,
-  /// materials of an OBJ, objects of a scene. The mesh itself need not be among them.
+  /// The files that the reader opened, or looked for in vain, with their versions: buffers of a
+  /// glTF, materials of an OBJ, objects of a scene. The mesh itself need not be among them.
   FileVersions files;
 };
 

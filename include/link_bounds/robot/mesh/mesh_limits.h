@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What loading one mesh may take.
+/// Limits of loading one mesh.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace link_bounds {
 
 struct MeshLimits {
   double timeout = 30.0;                ///< wall seconds per file, > 0; preparing it included
-  std::uint64_t max_bytes = 536870912;  ///< of a file; its mesh may take 16 MiB more
+  std::uint64_t max_bytes = 536870912;  ///< max size of a file; its mesh may take 16 MiB more
 };
 
 /// Throws MeshError when `limits.timeout` has passed since this call, or when `is_cancelled`, which
 /// may be null, returns true.
 CheckInterrupt meshDeadline(const MeshLimits& limits, std::function<bool()> is_cancelled);
 
-/// Throws what a MeshError says of a mesh that takes longer.
+/// Throws the MeshError for a mesh that takes longer than `limits.timeout`.
 [[noreturn]] void throwTooSlow(const MeshLimits& limits);
 
 }  // namespace link_bounds

@@ -21,11 +21,11 @@
 namespace link_bounds {
 
 /// Reads a mesh file, in metres as rviz draws it. Throws MeshError. Called from several threads.
-/// The vertices of the mesh are finite, its indices are those of vertices, and it has triangles. It
-/// may return a TriangleMesh where it opens no other file.
+/// The vertices of the mesh are finite, its indices are in range, and it has triangles. It may
+/// return a TriangleMesh if it opens no other file.
 using MeshImporter = std::function<ImportedMesh(const MeshFile& file)>;
 
-/// The same within limits; what `deadline` throws ends it.
+/// The same within limits; an exception of `deadline` is passed on.
 using TimedMeshImporter = std::function<ImportedMesh(const MeshFile& file, const MeshLimits& limits,
                                                      const CheckInterrupt& deadline)>;
 
@@ -39,7 +39,7 @@ struct LoadedMesh {
   std::shared_ptr<const TriangleTree> tree = nullptr;       ///< only if it was requested
   /// Why there are points but not the tree that was requested, and the remedy; else "".
   std::string tree_error = "";
-  bool is_cancelled = false;  ///< nothing is known about the file, which is no failure of it
+  bool is_cancelled = false;  ///< loading was cancelled, which says nothing about the file
 };
 
 /// kAll: points, triangles and tree.
@@ -47,11 +47,11 @@ enum class MeshContent { kPoints, kPointsAndTriangles, kPointsAndTree, kAll };
 
 /// A cache by real path, so that all links with the same mesh share its points, at any scale. It
 /// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
-/// are remembered until forgetFailures(); those of loads that began before are not. Dead entries
-/// are erased there, and where there are very many. load() reads a file again if it, or another one
-/// that its importer opened or looked for, was replaced since, and refuses one that changes while
-/// it is read. Triangles and trees are not cached; if reading them fails, points in use stay in
-/// use. Any number of threads may use a store; what it returns is immutable.
+/// are remembered until forgetFailures(), but not those of loads that began before it. Dead entries
+/// are erased by forgetFailures(), and when there are very many. load() reads a file again if it,
+/// or another one that its importer opened or looked for, was replaced since, and refuses one that
+/// changes while it is read. Triangles and trees are not cached; if reading them fails, points in
+/// use stay in use. Any number of threads may use a store; what it returns is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
@@ -71,15 +71,16 @@ class MeshStore {
                                const MeshLimits& limits = {},
                                const std::function<bool()>& is_cancelled = nullptr);
 
-  /// Its points, if they are in use and the file is as it was read; else null.
+  /// The points of the file, if they are in use and the file has not changed since it was read;
+  /// else null.
   std::shared_ptr<const PointSet> find(const MeshFile& file) const { return cached(file).points; }
 
-  /// The next load() reads these files again.
+  /// The next load() tries files that failed again.
   void forgetFailures();
 
  private:
   struct Entry {
-    /// The mesh file itself is one of them.
+    /// Includes the mesh file itself.
     std::shared_ptr<const FileVersions> files;
     std::weak_ptr<const PointSet> points;
     std::string error;

@@ -15,9 +15,9 @@ namespace link_bounds {
 
 /// Links that fixed joints connect are one body.
 struct RigidBodies {
-  std::vector<std::size_t> of_links;  ///< of each link, with or without geometry, its body
-  std::vector<std::size_t> parents;   ///< of each body its parent, which stands before it; the
-                                      ///< first body is its own
+  std::vector<std::size_t> of_links;  ///< by link, with or without geometry: its body
+  std::vector<std::size_t> parents;   ///< by body: its parent, whose number is smaller; the first
+                                      ///< body is its own
 };
 
 RigidBodies rigidBodies(const Robot& robot);
@@ -26,7 +26,7 @@ RigidBodies rigidBodies(const Robot& robot);
 /// of one body there is none.
 bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other, int joints = 1);
 
-/// The same of two bodies, numbers as in RigidBodies::of_links.
+/// The same for two bodies, numbered as in RigidBodies::of_links.
 bool areBodiesJoined(const RigidBodies& bodies, std::size_t body, std::size_t other, int joints);
 
 using NamePair = std::pair<std::string, std::string>;

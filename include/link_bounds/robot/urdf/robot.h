@@ -38,7 +38,8 @@ struct Element {
   Eigen::Affine3d link_from_shape = Eigen::Affine3d::Identity();  ///< origin times mesh scale
 };
 
-/// An element of the URDF that cannot be used, or of which only a part, in Link::elements, can.
+/// An element of the URDF that cannot be used, or only in part; that part is then in
+/// Link::elements.
 struct LostElement {
   Purpose purpose;
   std::size_t number;  ///< from 1
@@ -51,7 +52,7 @@ struct Link {
   std::vector<LostElement> lost;
 };
 
-/// Whether it has an element of that purpose, which may be lost.
+/// Whether the link has an element of that purpose, lost or not.
 bool hasGeometry(const Link& link, Purpose purpose);
 
 enum class Motion {
@@ -85,7 +86,7 @@ struct Joint {
   std::size_t child;   ///< index of a link
   Motion motion;
   Eigen::Isometry3d parent_from_joint;
-  Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero as in the URDF
+  Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero if it is so in the URDF
   std::optional<Mimic> mimic;
   std::optional<Limits> limits;          ///< of revolute and prismatic joints, if the URDF has them
   std::optional<double> max_speed = {};  ///< [rad/s or m/s], if the URDF has a limit

@@ -24,7 +24,7 @@ TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
                              const MeshLimits& limits,
                              const std::function<bool()>& is_cancelled = nullptr);
 
-/// The same for a deadline that has begun before. It is called at least every 20 ms. Also tells
+/// The same for a deadline that has begun before. It is called at least every 20 ms. Also returns
 /// which files mesh_worker opened or looked for, by absolute path.
 ImportedMesh importInTime(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
                           const CheckInterrupt& deadline);

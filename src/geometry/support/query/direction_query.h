@@ -28,28 +28,29 @@ inline ListsOfRows listsOf(const DirectionTable::Lookup& table, const CellsOfRow
   return {table.lists + *cells[0], table.lists + *cells[1], table.lists + *cells[2]};
 }
 
-/// extents() in three steps. The first two prefetch what the next one reads, so with other work in
-/// between none waits for memory.
+/// extents() in three steps. Each of the first two prefetches the data of the next, so with other
+/// work in between none waits for memory.
 void findCells(const DirectionTable::Lookup& table, const Directions& directions,
                CellsOfRows& cells);
 void findLists(const DirectionTable::Lookup& table, const CellsOfRows& cells, ListsOfRows& lists);
 void scanLists(const DirectionTable::Lookup& table, const Directions& directions,
                const ListsOfRows& lists, Extents& result);
 
-/// The same functions by one path of instructions.
+/// The functions of a query for one instruction set.
 struct Query {
   QueryPath path;
   void (*find)(const DirectionTable::Lookup& table, const Directions& directions,
                CellsOfRows& cells);
   void (*scan)(const DirectionTable::Lookup& table, const Directions& directions,
                const ListsOfRows& lists, Extents& result);
-  /// Of `count` points in double, as for PointSet; all but the plain one need kLanes of them.
+  /// Extents of `count` points in double, as for PointSet. All paths but the plain one need at
+  /// least kLanes points.
   Extents (*scan_all)(const double* xyz, std::size_t count, const Directions& directions);
 };
 
 static_assert(sizeof(PointBlock) == 3 * kLanes * sizeof(float), "a block fills the lanes");
 
-/// The one that is in use.
+/// The Query that is in use.
 const Query& query();
 
 extern const Query kPlainQuery;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Two doubles as a vector of SSE2: what the ends of a query need, in SSE2 and in AVX2.
+// Two doubles as a vector of SSE2: for the first and last steps of a query, in SSE2 and in AVX2.
 #pragma once
 
 #include <immintrin.h>
@@ -33,7 +33,7 @@ inline void store(Double2 a, double* values) {
   _mm_storeu_pd(values, a);
 }
 
-/// gridIndex() of direction_fold.h for two directions; the low bits of each result count.
+/// gridIndex() of direction_fold.h for two directions; only the low bits of each result are valid.
 inline Index2 gridIndices(Double2 shifted) {
   return _mm_srli_epi64(_mm_castpd_si128(shifted), kFraction);
 }

@@ -66,7 +66,7 @@ inline Double4 max(Double4 a, Double4 b) {
   return {_mm_max_pd(a.low, b.low), _mm_max_pd(a.high, b.high)};
 }
 
-/// Of each half: number `i` of a, then number `j` of b.
+/// For each half: number `i` of a, then number `j` of b.
 template <int i, int j>
 inline Double4 pick(Double4 a, Double4 b) {
   return {_mm_shuffle_pd(a.low, b.low, i | j << 1), _mm_shuffle_pd(a.high, b.high, i | j << 1)};

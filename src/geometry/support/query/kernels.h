@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The queries over four doubles at a time. A file that includes this has included its Double4
-// before. Latency costs more than arithmetic: so a list of eight points needs no branch and no
-// loop, and the three directions are independent of each other.
+// The queries over four doubles at a time. A file must include its Double4 before this header.
+// Latency costs more than arithmetic: so a list of eight points needs no branch and no loop, and
+// the three directions are independent of each other.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Points4 {
         y(Double4::ofFloats(block.y)),
         z(Double4::ofFloats(block.z)) {}
 
-  /// Sorting by axis costs nothing beside the arithmetic.
+  /// Reads four points and sorts their numbers by axis, which takes no time beside the arithmetic.
   LINK_BOUNDS_TARGET explicit Points4(const double* xyz) {
     const Double4 xy = Double4::ofPairs(xyz, xyz + 6);
     const Double4 zx = Double4::ofPairs(xyz + 2, xyz + 8);
@@ -60,7 +60,7 @@ struct Row {
   Double4 low, high;
 };
 
-/// From two values per direction to one, and from -0 to +0.
+/// Reduces two values per direction to one, and turns -0 into +0.
 LINK_BOUNDS_TARGET inline void finish(const Row& row0, const Row& row1, const Row& row2,
                                       Extents& result) {
   const Double2 zero{};
@@ -128,8 +128,8 @@ LINK_BOUNDS_TARGET inline void scan(const DirectionTable::Lookup& table,
   finish(row0, row1, row2, result);
 }
 
-/// From the last points to the first, in portions of four; the last portion may overlap the first
-/// four, which are in the rows already.
+/// Goes from the last points to the first, in portions of four; the last portion may overlap the
+/// first four, which are in the rows already.
 LINK_BOUNDS_TARGET inline Extents scanAll(const double* xyz, std::size_t count,
                                           const Directions& directions) {
   const Points4 first(xyz);

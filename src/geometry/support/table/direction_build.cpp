@@ -25,8 +25,9 @@ static_assert(8 * kTolerance <= kTableTolerance, "a table could leave out too mu
 /// neighbouring cell.
 constexpr double kGrowth = 2e-6;
 
-/// Coarser grids only lead to this one, and keep what no single point dominates. With envelopes
-/// from grid 2 on, tables of robots take 1.4 times as many instructions.
+/// The coarsest grid with envelopes. Coarser ones only lead to it, and drop only points that a
+/// single other point dominates. With envelopes from grid 2 on, tables of robots take 1.4 times as
+/// many instructions.
 constexpr int kCoarsestEnvelope = 8;
 
 /// The square of a cell in the coordinates of the fold.

@@ -10,12 +10,12 @@
 
 namespace link_bounds {
 
-/// What can be extreme in one cell.
+/// The points that can be extreme for directions of one cell.
 struct CellCandidates {
   PointIndices upper;  ///< for the largest p . d
   PointIndices lower;  ///< for the smallest
 
-  /// Both, each point once, in ascending order.
+  /// The points of both, each once, in ascending order.
   PointIndices all() const;
 };
 
@@ -29,15 +29,15 @@ struct CandidateGrid {
   PointIndices named() const;
 };
 
-/// Lists for grids of 2, 4, 8 ... cells per side. With Effort::kMinimal they are minimal from 8 on;
-/// the coarser ones lack only the points that are cheap to rule out.
+/// Lists for grids of 2, 4, 8 ... cells per side. With Effort::kMinimal, lists are minimal from 8
+/// cells per side on; those of coarser grids lack only points that are cheap to rule out.
 class GridBuilder {
  public:
   /// `check_interrupt` is called about once a millisecond.
   GridBuilder(std::vector<Eigen::Vector3d> points, Effort effort,
               const CheckInterrupt& check_interrupt);
 
-  /// The envelope refers to the points.
+  /// Not copyable, because envelope_ refers to points_.
   GridBuilder(const GridBuilder&) = delete;
   GridBuilder& operator=(const GridBuilder&) = delete;
 

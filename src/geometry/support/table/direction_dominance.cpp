@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every candidate against the champions of each corner and of their sum.
+// Compares every candidate with the champions of each corner and of the sum of all corners.
 #include "geometry/support/table/direction_dominance.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kMaxCorners = 6;  ///< of two triangles
+constexpr std::size_t kMaxCorners = 6;  ///< a cell is at most two triangles
 
 /// Dot products of a point with each corner; 0 for corners that do not exist.
 using DotProducts = std::array<double, kMaxCorners>;
@@ -22,7 +22,7 @@ DotProducts dotProductsOf(const Eigen::Vector3d& point, const Cone& corners, dou
   return products;
 }
 
-/// Of the candidates so far, those with the largest product at one corner or on average.
+/// The candidates so far with the largest product at one corner or on average.
 class Champions {
  public:
   explicit Champions(std::size_t corners) : corners_(corners), best_(corners + 1) {
@@ -40,7 +40,7 @@ class Champions {
     best_sum_ = std::max(best_sum_, sum);
   }
 
-  /// True if one of them is ahead of the candidate by more than the margin at every corner.
+  /// True if a champion exceeds the candidate by more than the margin at every corner.
   bool beat(const DotProducts& products, double margin) const {
     return std::any_of(best_.begin(), best_.end(), [&](const DotProducts& best) {
       for (std::size_t i = 0; i < corners_; ++i) {

@@ -15,8 +15,8 @@ using Cone = std::vector<Eigen::Vector3d>;
 using PointIndices = std::vector<std::uint32_t>;
 
 /// Drops candidates p whose sign * (p . d) another candidate exceeds by more than `margin` at every
-/// corner: what is linear and smaller at the corners is smaller in all of the cone between them.
-/// Only a few other candidates are tried, those with the largest products.
+/// corner: a linear function that is smaller at the corners is smaller in the whole cone between
+/// them. Only a few other candidates are tried, those with the largest products.
 void dropDominated(const std::vector<Eigen::Vector3d>& points, const Cone& corners, double sign,
                    double margin, PointIndices& candidates);
 

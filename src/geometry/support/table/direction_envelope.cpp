@@ -13,14 +13,16 @@ namespace {
 /// kDeepest, until each candidate has been examined kLooks times on average. That is enough to
 /// reach the strip by which cells are enlarged. Without these limits ties would halve cones without
 /// end: 2^depth cones for ties along a line of directions, nested ones for ties at one direction.
-/// With 12 contenders the tables of robots take 1.2 times as many instructions, with 192 those of a
-/// sphere; with 16 looks that of a polygon of 2,000 corners takes 1.7 times as many.
+/// With 12 contenders, the tables of robots take 1.2 times as many instructions, and with 192, so
+/// does the table of a sphere. With 16 looks, the table of a polygon of 2,000 corners takes 1.7
+/// times as many.
 constexpr std::size_t kContenders = 48;
 constexpr int kDeepest = 40;
 constexpr std::size_t kLooks = 64;
 
-/// For Effort::kQuick. The four corners of a plate beat the rest of it. With 24 the table of a ball
-/// of 600,000 points takes 1.4 times as long.
+/// How many points Effort::kQuick compares the others with. The four corners of a plate, for
+/// example, beat all its other points. With 24, the table of a ball of 600,000 points takes 1.4
+/// times as long.
 constexpr std::size_t kQuicklyKept = 6;
 
 Eigen::Vector3d middle(const Cone& cone) {
@@ -67,7 +69,8 @@ void Envelope::begin(const PointIndices& candidates, const Cone& cone) {
   search(left, cone, 0);
 }
 
-/// Decides as searchAll() until a few points are kept, and then keeps all that these do not beat.
+/// Decides as searchAll() until a few points are kept, and then keeps all points that these do not
+/// beat.
 void Envelope::searchQuickly(const PointIndices& candidates, const Cone& cone) {
   for (const std::uint32_t point : candidates) {
     if (is_needed_[point]) continue;
@@ -147,7 +150,7 @@ std::uint32_t Envelope::farthest(const PointIndices& candidates,
   return best;
 }
 
-/// False if the point was kept in this cone before.
+/// Keeps a point as needed in this cone. False if it was kept in this cone before.
 bool Envelope::keep(std::uint32_t point) {
   if (std::find(kept_.begin(), kept_.end(), point) != kept_.end()) return false;
   kept_.push_back(point);
@@ -161,7 +164,7 @@ void Envelope::decide(std::uint32_t point, const PointIndices& candidates, const
   if (!clipByKept(point)) return;
   for (;;) {
     const std::uint32_t best = farthest(candidates, middle(region_));
-    // A point that ties with a kept one to within rounding is as good as that.
+    // If `best` is kept already, the point ties with it to within rounding, and is kept, too.
     if (best == point || !keep(best)) {
       keep(point);
       return;

@@ -12,16 +12,16 @@
 namespace link_bounds {
 
 /// kMinimal leaves out every point that is not needed. kQuick takes time in proportion to the
-/// number of candidates, and leaves out only what a few others beat together.
+/// number of candidates, and leaves out only points that a few others beat together.
 enum class Effort { kQuick, kMinimal };
 
 /// Finds the upper envelope of linear functionals d -> p . d over a cone of directions d.
 ///
-/// A point p is needed where it beats all the others, so the cone is clipped by the half-spaces
-/// (p - q) . d > tolerance of the points q that are already known to be needed. If nothing is left,
-/// p is not needed. If something is, the point that is extreme in the middle of the rest is needed,
-/// and p is tried again (the idea of Clarkson's redundancy removal). So a point is left out only
-/// for points that stay: tolerances do not add up.
+/// A point p is needed where it beats all the others, so the cone is clipped to the half-spaces
+/// where (p - q) . d > tolerance of all points q that are already known to be needed. If nothing is
+/// left, p is not needed. If something is, the point that is extreme in the middle of the rest is
+/// needed, and p is tried again (the idea of Clarkson's redundancy removal). So a point is left out
+/// only because of points that stay, and tolerances do not add up.
 class Envelope {
  public:
   /// `points` and `meter` must outlive this.
@@ -30,7 +30,7 @@ class Envelope {
       : points_(points), tolerance_(tolerance), effort_(effort), meter_(meter) {}
 
   /// Those of the candidates, in ascending order, that are needed within one of the cones for the
-  /// largest sign * (p . d); |sign| = 1. With kQuick, more than those.
+  /// largest sign * (p . d); |sign| = 1. With kQuick, it may return more candidates.
   PointIndices neededOf(const PointIndices& candidates, const std::vector<Cone>& cones,
                         double sign);
 
@@ -53,10 +53,10 @@ class Envelope {
   Effort effort_;
   WorkMeter& meter_;
   double sign_ = 1;
-  std::size_t looks_ = 0;        ///< left for halving
-  std::vector<bool> is_needed_;  ///< by point: in any cone so far
+  std::size_t looks_ = 0;        ///< budget for halving cones, see kLooks
+  std::vector<bool> is_needed_;  ///< by point: needed in any cone so far
   PointIndices needed_;
-  PointIndices kept_;  ///< in the cone of the moment
+  PointIndices kept_;  ///< needed in the current cone
   Cone region_;
   Cone clipped_;
   std::vector<double> heights_;

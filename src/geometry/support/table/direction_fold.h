@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Between directions and the square they are folded to.
+// Maps directions to the square that they are folded to, and back.
 //
 //   s = (x + y) / (|x| + |y| + |z|)      after multiplying (x, y, z) by the sign of z, so that
 //   t = (x - y) / (|x| + |y| + |z|)      opposite directions meet; -1 <= s, t <= 1
@@ -24,9 +24,9 @@ namespace link_bounds {
 constexpr int kFraction = 20;
 constexpr double kShifter = 1.5 * (1ll << (52 - kFraction));
 
-/// The column or row for a coordinate -1 <= sum / norm <= 1 of the square; `turned` is half the
-/// side, by the sign of z. A zero direction has norm 0; all points are extreme for it, so any cell
-/// will do.
+/// The column or row for a coordinate -1 <= sum / norm <= 1 of the square; `turned` is grid.half
+/// with the sign of z. A zero direction has norm 0; all points are extreme for it, so any cell will
+/// do.
 inline std::uint32_t gridIndex(double sum, double norm, double turned, const DirectionGrid& grid) {
   const double shifted = sum * turned / norm + (grid.half + kShifter);
   std::uint64_t bits;

@@ -13,8 +13,8 @@
 namespace link_bounds {
 namespace {
 
-/// directionTable() describes these limits. A list has eight points without overflow. Of 21 meshes
-/// of robots none needs more than kBytesPerTable; half of it would make some grids coarser.
+/// directionTable() describes these limits. A list has eight points without overflow. None of 21
+/// meshes of robots needs more than kBytesPerTable; half of it would make some grids coarser.
 constexpr int kCoarsestGrid = 8;
 constexpr int kFinestGrid = 64;
 constexpr double kMeanListSize = 8;
@@ -24,7 +24,7 @@ constexpr std::size_t kBytesPerPoint = 48;
 constexpr std::size_t kPart = 1 << 16;
 constexpr int kPasses = 4;
 
-/// A scan over so many points takes about as long as a look-up in a grid that is in no cache.
+/// A scan over this many points takes about as long as a look-up in a grid that is in no cache.
 constexpr std::size_t kGriddedPoints = 64;
 
 /// Share of the square's side by which indices are reduced: rounding cannot make one equal `side`.
@@ -35,7 +35,7 @@ static_assert(kFinestGrid * kFinestGrid <= 1 << 16, "a cell could not hold the n
 
 constexpr std::size_t kPointsInline = 2 * kLanes;
 
-/// Four points of the list; what is beyond its end repeats the last one.
+/// Four points of the list from `first` on; beyond its end the last point is repeated.
 PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
                    std::size_t first) {
   PointBlock block;
@@ -62,12 +62,13 @@ void append(const std::vector<Eigen::Vector3f>& points, const PointIndices& list
 /// together. A cell may share its list, because further points of the set do no harm to a query.
 class SharedLists {
  public:
-  /// Points of lists are less than `points`.
+  /// Indices of points are below `points`.
   SharedLists(std::size_t points, std::size_t capacity) : capacity_(capacity), lists_of_(points) {}
 
-  /// The number of a list that holds these points. Longer ones first join best. What is longer than
-  /// the capacity stays alone. Greedy: the list that grows least by the points. Only those with the
-  /// first or the last point are tried, which keeps the search short.
+  /// Returns the number of a list that holds these points. Greedy: joins them to the list that
+  /// grows by the fewest points; best called with longer lists first. Points that exceed the
+  /// capacity get a list of their own. Only lists with the first or the last point are tried, which
+  /// keeps the search short.
   std::uint32_t add(const PointIndices& points) {
     const auto fresh = static_cast<std::uint32_t>(lists_.size());
     if (points.size() > capacity_) {
@@ -92,7 +93,7 @@ class SharedLists {
   const std::vector<PointIndices>& lists() const { return lists_; }
 
  private:
-  /// By how many points the list would grow.
+  /// Number of points that would be new in the list.
   std::size_t growth(std::uint32_t number, const PointIndices& points) const {
     const PointIndices& list = lists_[number];
     return static_cast<std::size_t>(
@@ -116,10 +117,10 @@ class SharedLists {
   std::vector<std::vector<std::uint32_t>> lists_of_;  ///< by point
 };
 
-/// The number of the list that serves each of the different lists of a grid.
+/// By list of a cell: the number of the shared list that serves it.
 using ListNumbers = std::map<PointIndices, std::uint32_t>;
 
-/// Longest first, so that the numbers of those with overflow are the smallest.
+/// Shares the longest lists first, so that the lists with overflow have the smallest numbers.
 void share(ListNumbers& numbers, SharedLists& shared) {
   std::vector<ListNumbers::value_type*> order;
   for (ListNumbers::value_type& entry : numbers)
@@ -185,7 +186,7 @@ std::vector<Eigen::Vector3f> named(const std::vector<Eigen::Vector3f>& points, E
 }
 
 /// The points of a large set that can be extreme in their part. A part fits into the cache. Once
-/// most points of a part can be extreme, little is gained by examining the next ones as closely.
+/// most points of a part can be extreme, little is gained by examining the next parts as closely.
 std::vector<Eigen::Vector3f> reducedByParts(const std::vector<Eigen::Vector3f>& points,
                                             const CheckInterrupt& check_interrupt) {
   std::vector<Eigen::Vector3f> left;
@@ -241,7 +242,7 @@ DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_
   return packed(points, list);
 }
 
-/// The points that are left of a large set.
+/// Drops points of a large set that cannot be extreme; leaves a small set as it is.
 std::vector<Eigen::Vector3f> reduced(const std::vector<Eigen::Vector3f>& points, int passes,
                                      const CheckInterrupt& check_interrupt) {
   if (passes == 0 || points.size() <= 2 * kPart) return points;

@@ -41,7 +41,7 @@ struct PointBlock {
   float z[kLanes];
 };
 
-/// The cells of the square, with what a query would otherwise compute of them.
+/// The cells of the square, with numbers that a query would otherwise compute.
 struct DirectionGrid {
   /// `cells_per_side` is a power of 2; 1 makes one list of all points.
   explicit DirectionGrid(int cells_per_side = 1);
@@ -56,7 +56,7 @@ struct DirectionGrid {
 
 /// Immutable once built, so any number of threads may query it.
 struct DirectionTable {
-  using Cell = std::uint16_t;  ///< the number of its list
+  using Cell = std::uint16_t;  ///< index of the list of a cell
 
   /// Eight points, in two lines of the cache.
   struct alignas(32) List {
@@ -72,11 +72,11 @@ struct DirectionTable {
   DirectionGrid grid;
   std::vector<Cell> cells;  ///< side * side, row by row
   std::vector<List> lists;
-  std::vector<Rest> rests;  ///< of the lists of more than eight points, which are the first ones
+  std::vector<Rest> rests;  ///< of lists of more than eight points, which come first
   std::vector<PointBlock> overflow;
 
-  /// What queries read of the table, to be kept where they begin: so they do not wait for the
-  /// table itself, which is another cache line. Valid as long as the table stays where it is.
+  /// The members that queries read. A caller keeps them where its query begins, which saves a cache
+  /// miss for the table itself. Valid until the table is moved or destroyed.
   struct Lookup {
     DirectionGrid grid;
     const Cell* cells = nullptr;
@@ -94,8 +94,8 @@ struct DirectionTable {
   std::size_t bytes() const;
 };
 
-/// Of the largest |coordinate| times |r|_1: see directionTable(). As much again covers that lists
-/// are made, and an extent is evaluated, in double.
+/// Relative to the largest |coordinate| times |r|_1, see directionTable(). As much again covers
+/// rounding in double while lists are made and extents are evaluated.
 constexpr double kTableTolerance = 1e-14;
 
 /// `points` must be finite and not empty. A point may be left out if others extend as far to within
@@ -104,8 +104,8 @@ constexpr double kTableTolerance = 1e-14;
 /// with at most 8 points per list on average, or the last one before a table takes more memory than
 /// 96 KiB or 48 bytes per point that can be extreme, whichever is more.
 ///
-/// Where more than 131,072 points can be extreme, as of a fine ball, lists name some more points
-/// than they need: making them minimal would take 10 us per point. A query is as exact.
+/// Where more than 131,072 points can be extreme, as for a ball with a fine mesh, lists name some
+/// more points than they need: making them minimal would take 10 us per point. A query is as exact.
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points,
                               const CheckInterrupt& check_interrupt = nullptr);
 
