@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes distances, which a thread of their own computes.
+// Publishes distances; a thread of its own computes them.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -19,13 +19,14 @@
 
 namespace link_bounds {
 
-/// What /diagnostics says of distances.
+/// The data on distances in /diagnostics.
 struct DistanceHealth {
-  bool is_wanted = false;  ///< somebody listens, or distance_warning is set; if not, no pairs below
-  std::size_t pairs = 0;   ///< in the last ~distances, as what follows
+  bool is_wanted =
+      false;              ///< somebody listens, or distance_warning is set; else there are no pairs
+  std::size_t pairs = 0;  ///< in the last ~distances, as the next three
   std::array<std::size_t, 3> levels{};
   std::size_t left_out = 0;         ///< pairs beyond max_pairs
-  std::optional<Distance> nearest;  ///< nothing before the first ~distances
+  std::optional<Distance> nearest;  ///< none before the first ~distances
   double behind = 0;                ///< see DistanceThread::behind() [s]
   DistanceTimes times;              ///< since the last call
   std::vector<std::string> errors;  ///< of meshes and lists without triangles
@@ -52,7 +53,7 @@ class DistanceOutput {
   /// May be called on any thread, also after stop().
   void give(MadeTree tree) { thread_.give(std::move(tree)); }
 
-  /// Trees are not requested any more afterwards.
+  /// Ends the thread. No tree is requested afterwards.
   void stop() { thread_.stop(); }
 
   DistanceHealth takeHealth();
@@ -69,11 +70,11 @@ class DistanceOutput {
   Output<DistanceArray> distances_;
   Output<Distance> nearest_;
   Output<visualization_msgs::MarkerArray> markers_;
-  std::optional<ComputedDistances> unmarked_;  ///< of the thread: without markers so far
-  Time last_markers_{};                        ///< of the thread
+  std::optional<ComputedDistances> unmarked_;  ///< used by the thread alone: not drawn yet
+  Time last_markers_{};                        ///< used by the thread alone
   mutable std::mutex mutex_;
   DistanceHealth health_;  ///< guarded by mutex_
-  DistanceThread thread_;  ///< last: it ends before the rest goes
+  DistanceThread thread_;  ///< last: it ends before the members above
 };
 
 }  // namespace link_bounds

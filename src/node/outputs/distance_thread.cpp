@@ -11,9 +11,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How late it may request the tree of a mesh that has settled, or notice that nobody listens.
+/// Period at which the thread requests trees of settled meshes and looks whether somebody listens.
 constexpr std::chrono::milliseconds kLookEvery(50);
-constexpr std::chrono::seconds kPauseAfterException(1);  ///< after an exception
+constexpr std::chrono::seconds kPauseAfterException(1);
 
 }  // namespace
 
@@ -26,7 +26,7 @@ DistanceThread::DistanceThread(TreeRequests requests, MomentPairs& pairs, Callba
       requests_(std::move(requests)),
       worker_({"distances", true, [this] { return onTick(); }, kLookEvery}) {}
 
-/// Only taken over here; onTick() computes once for all that waits.
+/// The work only stores the moment; onTick() computes once after all waiting work is done.
 void DistanceThread::give(MomentPtr moment) {
   if (published_ == given_) unpublished_since_ = Clock::now();
   worker_.post("moment", [this, moment = std::move(moment), number = ++given_] {
@@ -49,7 +49,7 @@ DistanceTimes DistanceThread::takeTimes() {
   return std::exchange(times_, {});
 }
 
-/// What waits was given after the last computation had begun.
+/// A moment that waits was given after the last published computation had begun.
 double DistanceThread::behind() const {
   if (published_ == given_) return 0;
   const Clock::time_point since = std::max(unpublished_since_.load(), published_begin_.load());
@@ -61,9 +61,9 @@ std::vector<std::string> DistanceThread::errors() const {
   return errors_;
 }
 
-/// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. To
-/// forget takes memory, too, so it is tried until it succeeds. Then, after a pause, the moment is
-/// computed again: no other one may come. True while there is a moment.
+/// After an exception, such as std::bad_alloc, no remembered state can be trusted. Forgetting it
+/// also needs memory, so it is tried until it succeeds. After a pause the moment is computed again,
+/// because no other moment may come. True while there is a moment.
 bool DistanceThread::onTick() {
   if (!is_whole_) distances_ = SceneDistances(requests_, true);
   is_whole_ = true;
@@ -110,7 +110,7 @@ void DistanceThread::forget() {
   drop();
 }
 
-/// current_ does not wait any more, even if it was not published.
+/// After this, current_ does not count as waiting, even if it was not published.
 void DistanceThread::drop() {
   current_ = nullptr;
   published_ = current_number_;

@@ -17,7 +17,7 @@ EarliestOutput::EarliestOutput(ros::NodeHandle& private_node, const Guard& guard
               [this, guard](const auto&) { guard([this] { request(); }); }),
       worker_({"earliest contacts", true}) {}
 
-/// The newest boxes are never left out: while the thread computes, another publish() may wait.
+/// The newest boxes are never skipped: while the thread computes, one more publish() waits.
 void EarliestOutput::request() {
   if (output_.hasSubscribers()) {
     is_forgotten_ = false;
@@ -30,7 +30,7 @@ void EarliestOutput::restIfUnheard() {
     worker_.post("contacts", [this] { forget(); });
 }
 
-/// It is used from the next ~boxes on.
+/// The next computation uses the tree.
 void EarliestOutput::give(MadeTree tree) {
   worker_.post("tree " + std::to_string(++trees_),
                [this, tree = std::move(tree)] { contacts_.trees().add(tree); });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes how soon bodies can touch; a thread of its own computes it.
+// Publishes the earliest time at which two bodies can touch; a thread of its own computes it.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -16,7 +16,7 @@
 
 namespace link_bounds {
 
-/// Computes only while somebody listens. Where computing takes longer than the time between two
+/// Computes only while somebody listens. If computing takes longer than the time between two
 /// ~boxes, it skips those in between.
 class EarliestOutput {
  public:
@@ -29,32 +29,32 @@ class EarliestOutput {
   /// To be called with each ~boxes.
   void request();
 
-  /// To be called every tick: ~boxes may have ended with the last listener.
+  /// To be called every tick, because no further ~boxes may come after the last listener has gone.
   void restIfUnheard();
 
-  /// A tree that was requested. For any thread, also after stop().
+  /// Takes a tree that was requested. May be called on any thread, also after stop().
   void give(MadeTree tree);
 
-  /// Trees are not requested any more afterwards.
+  /// Ends the thread. No tree is requested afterwards.
   void stop() { worker_.stop(); }
 
-  /// The longest time that a ~boxes waited for this since the last call.
+  /// The max time from a ~boxes to the end of its computation since the last call.
   std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
 
-  /// Why the first of its incomplete bodies is that, and how many more are; "" if all are complete
-  /// or nobody listens. For any thread.
+  /// Why the first incomplete body of the last message is incomplete, and how many more are; "" if
+  /// all are complete or nobody listens. May be called on any thread.
   std::string problem() const { return scenes_.problem(); }
 
  private:
   void publish();
   void forget();
 
-  std::atomic<std::uint64_t> trees_{0};  ///< that were given
+  std::atomic<std::uint64_t> trees_{0};  ///< number of calls of give()
   std::atomic<bool> is_forgotten_{true};
-  WayScenes scenes_;  ///< this and the next one: of the thread
+  WayScenes scenes_;  ///< this and the next one: used by the thread alone
   ContactTimes contacts_;
   Output<EarliestContactArray> output_;
-  Worker worker_;  ///< last: its thread ends before the rest goes
+  Worker worker_;  ///< last: its thread ends before the members above
 };
 
 }  // namespace link_bounds

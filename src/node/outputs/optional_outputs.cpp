@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One work per topic waits at most: that of the newest moment.
+// At most one piece of work per topic waits: that of the newest moment.
 #include "node/outputs/optional_outputs.h"
 
 #include <utility>
@@ -22,7 +22,7 @@ OptionalOutputs::OptionalOutputs(ros::NodeHandle& private_node, Guard guard, Mom
                greetWith("markers", &OptionalOutputs::publishMarkers, newest_.current)),
       worker_({"outputs", true}) {}
 
-/// A key of its own: no newer moment takes the place of a greeting.
+/// A greeting has a key of its own, so that no newer moment replaces it.
 OutputTopic::OnSubscriber OptionalOutputs::greetWith(const char* topic, Publish publish,
                                                      const std::function<MomentPtr()>& newest) {
   return [this, topic, publish, &newest](const SubscriberPtr& subscriber) {
@@ -64,7 +64,7 @@ void OptionalOutputs::publishParts(const MomentPtr& moment, const SubscriberPtr&
   }
 }
 
-/// Else a listener would take the last parts for those of now.
+/// Without this message, a listener would take the last parts for current ones.
 void OptionalOutputs::publishEndOfParts(const std_msgs::Header& header) {
   parts_message_ = AxisAlignedBoxArray();
   parts_message_.header = header;
@@ -72,7 +72,8 @@ void OptionalOutputs::publishEndOfParts(const std_msgs::Header& header) {
   has_shown_parts_ = false;
 }
 
-/// Of a greeting no other subscriber hears, so it deletes nothing; what it shows is deleted later.
+/// Other subscribers do not get a greeting, so it deletes no markers; its own markers are deleted
+/// later.
 void OptionalOutputs::publishMarkers(const MomentPtr& moment, const SubscriberPtr& to) {
   visualization_msgs::MarkerArray message = boxMarkers(*moment);
   if (to) {
@@ -83,7 +84,7 @@ void OptionalOutputs::publishMarkers(const MomentPtr& moment, const SubscriberPt
   markers_.publish(message, to);
 }
 
-/// Who connects before the thread works on it must not count.
+/// A listener that connects before the thread does this work must not count.
 void OptionalOutputs::adopt() {
   worker_.post("adopt", [this, are_parts_heard = parts_.hasSubscribers()] {
     part_boxes_ = PartBoxes();

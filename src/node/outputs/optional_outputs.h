@@ -22,13 +22,13 @@
 
 namespace link_bounds {
 
-/// Where computing takes longer than the time between two moments, those in between are skipped.
+/// If computing takes longer than the time between two moments, it skips those in between.
 class OptionalOutputs {
  public:
-  /// Called when somebody has subscribed; null if there is none.
+  /// Called when somebody has subscribed. Each returns null if there is no moment.
   struct Newest {
-    std::function<MomentPtr()> published;  ///< that of the last give(), or of the last ~boxes
-    std::function<MomentPtr()> current;    ///< of the scene, for markers
+    std::function<MomentPtr()> published;  ///< the moment of the last ~boxes
+    std::function<MomentPtr()> current;    ///< the moment of the scene as it is now, for markers
   };
 
   /// Each new subscriber alone gets a message of its own. `guard` runs the callbacks of roscpp.
@@ -42,18 +42,18 @@ class OptionalOutputs {
   bool areOverlapsWanted() const { return overlaps_.hasSubscribers(); }
   bool areMarkersWanted() const { return markers_.hasSubscribers(); }
 
-  /// What follows returns at once.
+  // The functions below return at once.
   void give(const MomentPtr& moment);
   void giveMarkers(const MomentPtr& moment);
 
-  /// Frees what is kept of the former model.
+  /// Frees the state of the former model.
   void adopt();
 
   /// Frees the memory that the search for overlaps keeps between moments.
   void freeSpareMemory();
 
  private:
-  using SubscriberPtr = OutputTopic::SubscriberPtr;  ///< null: all
+  using SubscriberPtr = OutputTopic::SubscriberPtr;  ///< null: all subscribers
   using Publish = void (OptionalOutputs::*)(const MomentPtr&, const SubscriberPtr&);
 
   OutputTopic::OnSubscriber greetWith(const char* topic, Publish publish,
@@ -68,16 +68,16 @@ class OptionalOutputs {
   MomentPairs& pairs_;
   const Newest newest_;
   std::uint64_t greetings_ = 0;
-  OverlapFiller overlap_filler_;  ///< this and what follows: of the thread
+  OverlapFiller overlap_filler_;  ///< this and the next five: used by the thread alone
   BoxOverlapArray overlaps_message_;
   PartBoxes part_boxes_;
   AxisAlignedBoxArray parts_message_;
-  bool has_shown_parts_ = false;  ///< since the last message that ended them
+  bool has_shown_parts_ = false;  ///< there are parts to end for listeners
   ShownMarkers shown_;
   Output<BoxOverlapArray> overlaps_;
   Output<AxisAlignedBoxArray> parts_;
   Output<visualization_msgs::MarkerArray> markers_;
-  Worker worker_;  ///< last: its thread ends before the rest goes
+  Worker worker_;  ///< last: its thread ends before the members above
 };
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes and groups are published always, everything else to subscribers only.
+// Boxes and groups are always published, everything else only for subscribers.
 #include "node/outputs/scene_output.h"
 
 #include <algorithm>
@@ -78,19 +78,20 @@ void SceneOutput::greetWithFootprint(OutputTopic::Subscriber& subscriber) {
     footprint_.publishTo(subscriber, *footprint);
 }
 
-/// Of the last ~boxes; null before the first. Without a limit of the rate, the scene is still that.
+/// The moment of the last ~boxes; null before the first. Without a limit of the rate, the scene has
+/// not changed since.
 MomentPtr SceneOutput::published() {
   if (publications_ > 0 && !published_) published_ = current();
   return published_;
 }
 
-/// Of the scene as it is; null before the first model.
+/// The moment of the scene as it is; null before the first model.
 MomentPtr SceneOutput::current() {
   if (!moment_ && scene_.model()) moment_ = momentOf(scene_);
   return moment_;
 }
 
-/// Before the threads get the moment, so that the first of them searches for all.
+/// To be called before the threads get the moment, so that the first thread searches for all.
 void SceneOutput::expectPairs() {
   const Parameters& parameters = scene_.model()->parameters;
   const double overlaps = optional_.areOverlapsWanted() ? parameters.overlap_margin : 0;
@@ -109,7 +110,7 @@ void SceneOutput::giveMarkers() {
   if (const auto moment = current()) optional_.giveMarkers(moment);
 }
 
-/// Where what was newest is gone, the stamp is an older one, and nothing was late.
+/// When the newest body goes, the stamp gets older; that is no lag.
 void SceneOutput::recordLag(ros::Time stamp) {
   if (stamp.isZero() || stamp <= std::exchange(last_stamp_, stamp)) return;
   const double lag = (ros::Time::now().toSec() - stamp.toSec()) * 1e3;

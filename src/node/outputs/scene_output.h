@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes a scene.
+// Publishes the boxes of a scene, and all that is computed from them.
 #pragma once
 
 #include <geometry_msgs/Polygon.h>
@@ -18,9 +18,9 @@
 
 namespace link_bounds {
 
-/// Boxes, groups and footprint are published at once. What only listeners want is computed on other
-/// threads from a moment of the scene: overlaps, parts and distances from that of a ~boxes,
-/// markers from the newest one.
+/// Boxes, groups and footprint are published at once. Overlaps, parts, distances and markers are
+/// computed for listeners only, on other threads, from a moment of the scene: markers from the
+/// newest one, the others from that of a ~boxes.
 class SceneOutput {
  public:
   /// `periodic` and `scene` must outlive this. `guard` runs the callbacks of roscpp.
@@ -39,7 +39,7 @@ class SceneOutput {
   /// Publishes a change of the scene as soon as the rates allow. There must be a model.
   void request();
 
-  /// Frees the memory that overlaps keep between updates.
+  /// Frees the memory that overlaps keep between two moments.
   void freeSpareMemory() { optional_.freeSpareMemory(); }
 
   /// Number of messages on ~boxes.
@@ -48,8 +48,8 @@ class SceneOutput {
   /// Whether ~footprint is published, and if not, why.
   std::string footprintState() const;
 
-  /// By how much a new stamp of a ~boxes lay behind ROS time when it was published [ms], the
-  /// maximum since the last call. Nothing if no ~boxes had one.
+  /// The max age of a new stamp of a ~boxes, by ROS time when it was published, since the last
+  /// call [ms]. Nothing if no ~boxes had a new stamp.
   std::optional<double> takeMaxLag() { return std::exchange(lag_ms_, std::nullopt); }
 
   DistanceOutput& distances() { return distances_; }
@@ -73,8 +73,8 @@ class SceneOutput {
   ros::Time last_stamp_;                ///< of ~boxes
   AxisAlignedBoxArray boxes_message_;   ///< the last one published
   AxisAlignedBoxArray groups_message_;  ///< the last one published
-  MomentPtr published_;                 ///< that of the last ~boxes; null if nobody needs it
-  MomentPtr moment_;                    ///< of the scene as it is; null if nobody asked for it
+  MomentPtr published_;  ///< the moment of the last ~boxes; null if nobody has asked for it
+  MomentPtr moment_;     ///< the moment of the scene as it is; null if nobody has asked for it
   Output<AxisAlignedBoxArray> boxes_;
   Output<AxisAlignedBoxArray> groups_;
   Output<geometry_msgs::Polygon> footprint_;

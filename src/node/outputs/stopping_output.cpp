@@ -38,13 +38,13 @@ void StoppingOutput::requestMarkers() {
   post();
 }
 
-/// The newest boxes are never left out: while the thread computes, another publish() may wait.
+/// The newest boxes are never skipped: while the thread computes, one more publish() waits.
 void StoppingOutput::post() {
   is_resting_ = false;
   worker_.post("boxes", [this] { publish(); });
 }
 
-/// Publishes nothing where there is no copy of the scene, as without a robot.
+/// Publishes nothing if there is no copy of the scene, for example without a robot.
 void StoppingOutput::publish() {
   const auto copy = scenes_.copy(worker_);
   if (!copy) return;

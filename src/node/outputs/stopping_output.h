@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes the boxes around all that the robot can reach until it stands, and which of them
-// overlap; a thread of its own computes both.
+// Publishes for each body the box of all that it can reach until the robot has stopped, and which
+// of these boxes overlap; a thread of its own computes both.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -20,7 +20,7 @@
 
 namespace link_bounds {
 
-/// Computes only while somebody listens. Where computing takes longer than the time between two
+/// Computes only while somebody listens. If computing takes longer than the time between two
 /// ~boxes, it skips those in between.
 class StoppingOutput {
  public:
@@ -36,14 +36,14 @@ class StoppingOutput {
   /// To be called with each ~boxes.
   void request();
 
-  /// To be called every tick: ~boxes may have ended with the last listener.
+  /// To be called every tick, because no further ~boxes may come after the last listener has gone.
   void restIfUnheard();
 
-  /// The longest time that a ~boxes waited for this since the last call.
+  /// The max time from a ~boxes to the end of its computation since the last call.
   std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
 
-  /// Why the first of its incomplete bodies is that, and how many more are; of the last boxes, ""
-  /// if all are complete or nobody listens. For any thread.
+  /// Why the first incomplete body of the last message is incomplete, and how many more are; "" if
+  /// all are complete or nobody listens. May be called on any thread.
   std::string problem() const { return scenes_.problem(); }
 
  private:
@@ -54,7 +54,7 @@ class StoppingOutput {
 
   std::atomic<bool> are_markers_due_{false};  ///< at the next publish()
   std::atomic<bool> is_resting_{true};
-  WayScenes scenes_;  ///< this and what follows: of the thread
+  WayScenes scenes_;  ///< this and the next four: used by the thread alone
   AxisAlignedBoxArray message_;
   BoxOverlapArray overlaps_message_;
   MomentPairs pairs_;
@@ -63,7 +63,7 @@ class StoppingOutput {
   Output<BoxOverlapArray> overlaps_;
   Output<visualization_msgs::MarkerArray> markers_;
   PacedOutput markers_output_;
-  Worker worker_;  ///< last: its thread ends before the rest goes
+  Worker worker_;  ///< last: its thread ends before the members above
 };
 
 }  // namespace link_bounds

@@ -13,7 +13,7 @@
 namespace link_bounds {
 namespace {
 
-/// More than all history; larger numbers would overflow.
+/// Longer than any history; much larger spans would overflow.
 constexpr double kMaxSpan = 1e6;  // s
 
 std::int64_t spanOf(const Parameters& parameters) {
@@ -51,7 +51,7 @@ void SweptOutput::requestMarkers() {
   postBoxes();
 }
 
-/// The newest boxes are never left out: while the thread computes, another publish() may wait.
+/// The newest boxes are never skipped: while the thread computes, one more publish() waits.
 void SweptOutput::postBoxes() {
   if (span_ > 0) worker_.post("boxes", [this] { publish(); });
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes the boxes of the last motion, which a thread of its own computes.
+// Publishes the boxes swept by the last motion; a thread of its own computes them.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -16,8 +16,8 @@
 
 namespace link_bounds {
 
-/// Computes only while somebody listens and swept_span is not 0. Where computing takes longer than
-/// the time between two ~boxes, it skips those in between.
+/// Computes only while somebody listens and swept_span is not 0. If computing takes longer than the
+/// time between two ~boxes, it skips those in between.
 class SweptOutput {
  public:
   /// `periodic` and `scenes` must outlive this. `guard` runs the callbacks of roscpp.
@@ -32,7 +32,7 @@ class SweptOutput {
   /// To be called with each ~boxes.
   void request();
 
-  /// The longest time that a ~boxes waited for this since the last call.
+  /// The max time from a ~boxes to the end of its computation since the last call.
   std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
 
  private:
@@ -43,11 +43,11 @@ class SweptOutput {
   const SceneCopier& scenes_;
   std::atomic<std::int64_t> span_{0};         ///< [ns]
   std::atomic<bool> are_markers_due_{false};  ///< at the next publish()
-  AxisAlignedBoxArray message_;               ///< of the thread
+  AxisAlignedBoxArray message_;               ///< used by the thread alone
   Output<AxisAlignedBoxArray> boxes_;
   Output<visualization_msgs::MarkerArray> markers_;
   PacedOutput markers_output_;
-  Worker worker_;  ///< near the end: its thread ends before the rest goes
+  Worker worker_;  ///< last: its thread ends before the members above
 };
 
 }  // namespace link_bounds

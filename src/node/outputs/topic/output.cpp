@@ -24,9 +24,9 @@
 namespace link_bounds {
 namespace {
 
-/// The connection behind it. roscpp gives it to nobody, and SingleSubscriberPublisher itself ends
-/// with the callback that it is given to. In an explicit instantiation C++ allows to name a private
-/// member. ROS 1 is frozen: the member stays.
+/// The connection of a subscriber. roscpp has no function for it, and the SingleSubscriberPublisher
+/// ends with its callback. C++ allows an explicit instantiation to name a private member. ROS 1 is
+/// frozen, so the member stays.
 ros::SubscriberLinkPtr linkOf(const ros::SingleSubscriberPublisher& subscriber);
 
 template <ros::SubscriberLinkPtr ros::SingleSubscriberPublisher::*member>
@@ -38,7 +38,7 @@ struct LinkAccess {
 
 template struct LinkAccess<&ros::SingleSubscriberPublisher::link_>;
 
-/// The header's number is the first field of a message, behind the message's length.
+/// The header's sequence number is the first field of a message, after the message's length.
 void writeNumber(std::uint64_t number, ros::SerializedMessage& message) {
   const auto seq = static_cast<std::uint32_t>(number);
   std::memcpy(message.message_start, &seq, sizeof(seq));
@@ -47,8 +47,8 @@ void writeNumber(std::uint64_t number, ros::SerializedMessage& message) {
 }  // namespace
 
 /// Wakes the thread of roscpp that writes to sockets. roscpp's own signal does nothing while
-/// another thread gives it: if that one is interrupted meanwhile, what is sent waits for up to 0.1
-/// s.
+/// another thread is signalling: if that thread is interrupted meanwhile, a message waits for up
+/// to 0.1 s.
 class OutputTopic::Waker {
  public:
   Waker() {
@@ -86,7 +86,7 @@ class OutputTopic::Subscriber {
 
   const ros::SubscriberLinkPtr& link() const { return link_; }
 
-  /// Of messages that two threads send at the same time, only the newer one counts.
+  /// If two threads send at the same time, only the newer message counts.
   void send(const ros::SerializedMessage& message, std::uint64_t number) {
     ros::SerializedMessage replaced;  // is freed without the lock
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -98,7 +98,7 @@ class OutputTopic::Subscriber {
     queuePending();
   }
 
-  /// On the thread of the sockets. False if a message waits for room.
+  /// Called on the thread of the sockets. False if a message still waits for room.
   bool passOn() {
     std::vector<ros::SerializedMessage> queue;
     bool is_done = false;
@@ -140,7 +140,7 @@ class OutputTopic::Subscriber {
     return {boost::shared_array<std::uint8_t>(message.buf.get(), let_go), size};
   }
 
-  /// What roscpp has not passed on to the kernel.
+  /// Messages that roscpp has not passed on to the kernel.
   struct Waiting {
     std::atomic<std::size_t> bytes{0};
     std::atomic<std::size_t> messages{0};
@@ -154,7 +154,7 @@ class OutputTopic::Subscriber {
   std::vector<ros::SerializedMessage> queue_;
   ros::SerializedMessage pending_;  ///< the newest message, if there was no room for it
   std::uint64_t newest_ = 0;        ///< number of the newest message
-  bool has_missed_ = false;         ///< a message, and there was no room since
+  bool has_missed_ = false;         ///< a message was missed, and there was no room since
 };
 
 OutputTopic::OutputTopic(ros::NodeHandle& node, ros::AdvertiseOptions options,
@@ -173,7 +173,7 @@ OutputTopic::OutputTopic(ros::NodeHandle& node, ros::AdvertiseOptions options,
       [this] { guarded([this] { passOn(); }); });
 }
 
-/// No callback runs from then on.
+/// No callback runs afterwards.
 OutputTopic::~OutputTopic() {
   ros::PollManager::instance()->removePollThreadListener(socket_thread_);
   publisher_.shutdown();
@@ -224,7 +224,8 @@ void OutputTopic::passOn() {
     if (!subscriber->passOn()) is_due_ = true;
 }
 
-/// A message that is published meanwhile finds the subscriber in the list, or is the last one here.
+/// A message that is published meanwhile either finds the subscriber in the list or is `last_`
+/// here.
 void OutputTopic::connect(const ros::SingleSubscriberPublisher& connected) {
   const auto subscriber = std::make_shared<Subscriber>(linkOf(connected), queue_, has_lost_);
   ros::SerializedMessage last;

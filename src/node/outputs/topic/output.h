@@ -26,16 +26,16 @@ constexpr std::uint32_t kBoxesQueue = 200;
 constexpr std::uint32_t kMarkersQueue = 10;
 constexpr std::uint32_t kFootprintQueue = 10;
 
-/// All of an Output but the type of its messages.
+/// The part of an Output that does not depend on the type of its messages.
 class OutputTopic {
  public:
   class Subscriber;
   using SubscriberPtr = std::shared_ptr<Subscriber>;
   using OnSubscriber = std::function<void(const SubscriberPtr&)>;
 
-  /// More never wait for one subscriber, but for a single message that is larger: that one is sent
-  /// while nothing else waits. Then the newest message waits until there is room, which the thread
-  /// of roscpp that writes to sockets notices within 0.1 s. As much as a second of 80 kB at 100 Hz;
+  /// Max bytes that wait for one subscriber. A single larger message is sent when nothing else
+  /// waits. If there is no room, the newest message waits until there is, which the thread of
+  /// roscpp that writes to sockets notices within 0.1 s. The limit is a second of 80 kB at 100 Hz;
   /// the kernel buffers some more.
   static constexpr std::size_t kMaxBytes = 8'000'000;
 
@@ -45,8 +45,8 @@ class OutputTopic {
   /// Takes no lock.
   bool hasSubscribers() const { return count_ > 0; }
 
-  /// True if since the last call a subscriber that may have missed messages has begun to read
-  /// again.
+  /// True if a subscriber that may have missed messages has begun to read again since the last
+  /// call.
   bool takeLoss() { return has_lost_.exchange(false); }
 
  protected:
@@ -72,14 +72,14 @@ class OutputTopic {
   const std::size_t queue_;  ///< messages
   const OnSubscriber on_subscriber_;
   const std::unique_ptr<Waker> waker_;
-  std::uint64_t number_ = 0;  ///< of the next message; of the thread that publishes
+  std::uint64_t number_ = 0;  ///< of the next message; used by the publishing thread alone
   std::atomic<std::size_t> count_{0};
   std::atomic<bool> has_lost_{false};
   std::mutex mutex_;  ///< of the next three; held for moments only
   std::shared_ptr<const Subscribers> subscribers_ = std::make_shared<Subscribers>();
   ros::SerializedMessage last_;  ///< of a latched topic; empty before the first one
   std::uint64_t last_number_ = 0;
-  std::atomic<bool> is_due_{false};  ///< something is to be passed on
+  std::atomic<bool> is_due_{false};  ///< a message is waiting to be passed on
   ros::Publisher publisher_;
   boost::signals2::connection socket_thread_;
 };
@@ -104,12 +104,12 @@ class Output : public OutputTopic {
     if (isWanted()) send(ros::serialization::serializeMessage(message));
   }
 
-  /// To this subscriber alone, unless it has got a message already.
+  /// Sends to this subscriber alone, unless it has already got a message.
   void publishTo(Subscriber& subscriber, const Message& message) {
     sendTo(subscriber, ros::serialization::serializeMessage(message));
   }
 
-  /// To one subscriber or, where there is none, to all.
+  /// Sends to one subscriber or, if `to` is null, to all.
   void publish(const Message& message, const SubscriberPtr& to) {
     to ? publishTo(*to, message) : publish(message);
   }

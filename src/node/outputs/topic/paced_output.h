@@ -17,20 +17,20 @@ namespace link_bounds {
 /// call. Earlier requests lead to one call when the period, and the patience, is over.
 class PacedOutput {
  public:
-  /// What is drawn is left to the request that comes next after the period, for this part of a
-  /// period. tf comes at a steady rate, mostly a multiple of the one at which is drawn: when the
-  /// period is over, the next message comes, too, and drawing would take the processor from its
-  /// boxes. With this, the 99th percentile of their age was 0.96 of that without markers; before, 2
-  /// to 3 times (`scripts/bench overload --stopping`).
+  /// After the period, markers wait for the next request for this part of a period. tf comes at a
+  /// steady rate, typically a multiple of the rate of markers: when the period ends, the next
+  /// message comes, too, and drawing would take the processor from its boxes. With this patience,
+  /// the 99th percentile of their age was 0.96 of that without markers; before, 2 to 3 times
+  /// (`scripts/bench overload --stopping`).
   static constexpr double kPatienceOfMarkers = 0.25;
 
-  /// `periodic`, which must outlive this, has `guard` call `emit` when a period, and `patience`
-  /// periods more, are over.
+  /// `periodic`, which must outlive this, calls `emit` through `guard` when 1 + `patience` periods
+  /// are over.
   PacedOutput(Periodic& periodic, Guard guard, std::function<void()> emit, double patience = 0);
   PacedOutput(const PacedOutput&) = delete;
   PacedOutput& operator=(const PacedOutput&) = delete;
 
-  /// In Hz; 0 = no limit. Also applies to a request that waits.
+  /// Sets the max rate [Hz]; 0: no limit. Also applies to a request that waits.
   void setRate(double rate);
 
   void request();
@@ -43,7 +43,8 @@ class PacedOutput {
  private:
   void setAlarm();
 
-  /// Nothing waits any more where `guard` itself has led to a request, which was answered at once.
+  /// Does nothing if no request waits: `guard` itself may have led to a request, which was answered
+  /// at once.
   void emitWaiting();
 
   Periodic& periodic_;
@@ -52,7 +53,7 @@ class PacedOutput {
   double patience_;
   ros::WallDuration period_;
   std::optional<ros::SteadyTime> last_;  ///< of the last call
-  bool is_waiting_ = false;              ///< a request has not led to a call yet
+  bool is_waiting_ = false;              ///< a request has not led to a call of `emit` yet
   Periodic::Alarm alarm_;
 };
 
