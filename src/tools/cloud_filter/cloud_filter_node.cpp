@@ -15,7 +15,6 @@
 #include "world/cloud/cloud_layout.h"
 #include "world/cloud/without_points.h"
 #include "world/log/guarded.h"
-#include "world/log/log_text.h"
 #include "world/model/model.h"
 
 namespace link_bounds {
@@ -386,7 +385,6 @@ void CloudFilterNode::sendNearest(const std_msgs::Header& header, const CloudPoi
   if (!sensor) return;
   const NearestPoints found = nearestPoints({points, removed, grids_, links_, tf_, *sensor});
   if (!found.problem.empty()) {
-    ROS_WARN_THROTTLE(10, "no ~nearest: %s", logText(found.problem).c_str());
     health_.addWithoutNearest(found.problem);
     return;
   }

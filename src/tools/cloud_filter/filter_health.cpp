@@ -76,10 +76,18 @@ void FilterHealth::addUnfiltered(const std::string& topic, const std::string& re
                                  bool is_passed) {
   ++(is_passed ? passed_ : dropped_);
   addReason(reason, recent_.unfiltered);
-  const std::string line = logs_[topic].line(
-      "a message on " + topic +
-          (is_passed ? " was passed on with the points of the robot: " : " was dropped: ") + reason,
-      ros::SteadyTime::now());
+  log(topic, "a message on " + topic +
+                 (is_passed ? " was passed on with the points of the robot: " : " was dropped: ") +
+                 reason);
+}
+
+void FilterHealth::addWithoutNearest(const std::string& reason) {
+  addReason(reason, recent_.without_nearest);
+  log("~nearest", "no ~nearest: " + reason);
+}
+
+void FilterHealth::log(const std::string& topic, const std::string& text) {
+  const std::string line = logs_[topic].line(text, ros::SteadyTime::now());
   if (!line.empty()) ROS_WARN("%s", logText(line).c_str());
 }
 

@@ -44,8 +44,9 @@ class FilterHealth {
   /// rate.
   void addUnfiltered(const std::string& topic, const std::string& reason, bool is_passed);
 
-  /// A cloud was filtered, but there are no nearest points of it, for which somebody listens.
-  void addWithoutNearest(const std::string& reason) { addReason(reason, recent_.without_nearest); }
+  /// A cloud was filtered, but there are no nearest points of it, for which somebody listens. Logs
+  /// that, at a limited rate.
+  void addWithoutNearest(const std::string& reason);
 
   /// One status named "<node name>: cloud filter". ERROR: there is no robot, none of its links is
   /// filtered, or since the last status something failed that should not. WARN: geometry or held
@@ -79,6 +80,7 @@ class FilterHealth {
   };
 
   static void addReason(const std::string& reason, Reasons& reasons);
+  void log(const std::string& topic, const std::string& text);
   void assess(diagnostic_msgs::DiagnosticStatus& status, const FilteredRobot* robot,
               const std::string& failure, bool are_objects_whole);
   void describe(diagnostic_msgs::DiagnosticStatus& status, double seconds);

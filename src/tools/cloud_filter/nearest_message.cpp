@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "link_bounds/ros/messages.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -18,8 +19,7 @@ Distance toDistance(const std::string& name, const NearestPoint& nearest) {
   Distance result;
   result.first = name;
   result.second = kCloudName;
-  const std::int64_t stamp = std::clamp(nearest.stamp, std::int64_t{0}, kLatest);
-  result.stamp.fromNSec(static_cast<std::uint64_t>(stamp));
+  result.stamp = timeFrom(std::clamp(nearest.stamp, std::int64_t{0}, kLatest));
   result.distance = nearest.lower;
   result.distance_max = nearest.upper;
   result.on_first = toPoint(nearest.on_link);

@@ -11,6 +11,7 @@
 #include "text/joined.h"
 #include "world/history/pose_gap.h"
 #include "world/history/swept_box.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -33,7 +34,7 @@ PastBoxMaker::PastBoxMaker(PastScene& scene, const BoxRequest& request)
     : scene_(scene), tf_(scene.excerpt.buffer()), request_(request), tracker_(tf_) {
   boxes_.moment.model = scene.model;
   boxes_.moment.header.frame_id = scene.frameName();
-  boxes_.moment.header.stamp.fromNSec(static_cast<std::uint64_t>(request.stamp));
+  boxes_.moment.header.stamp = timeFrom(request.stamp);
   boxes_.moment.bodies.reserve(scene.bodies.size());
   if (request_.stamp != 0) return;
   tracker_.setTarget(scene_.target, scene_.model->parameters.timeout, scene_.now);
@@ -66,8 +67,8 @@ void PastBoxMaker::makeNext(const std::function<bool()>& gives_up) {
 void PastBoxMaker::add(const PastBody& body, const Made& made) {
   Moment& moment = boxes_.moment;
   moment.bodies.push_back({body.link, body.object, made.stamp, *made.box, made.target_from_body});
-  const auto stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(made.stamp));
-  if (request_.stamp == 0) moment.header.stamp = std::max(moment.header.stamp, stamp);
+  if (request_.stamp == 0)
+    moment.header.stamp = std::max(moment.header.stamp, timeFrom(made.stamp));
 }
 
 PastBoxes PastBoxMaker::take() {

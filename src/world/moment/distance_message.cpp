@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "link_bounds/ros/messages.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
@@ -23,7 +24,7 @@ Distance toMessage(const Moment& moment, const FoundPair& pair) {
   Distance message;
   message.first = moment.name(first);
   message.second = moment.name(second);
-  message.stamp.fromNSec(static_cast<std::uint64_t>(olderStamp(first.stamp, second.stamp)));
+  message.stamp = timeFrom(olderStamp(first.stamp, second.stamp));
   message.distance = found.lower;
   message.distance_max = found.upper;
   message.on_first = toPoint(found.on_first);

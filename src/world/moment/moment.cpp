@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "world/tf/nanoseconds.h"
+
 namespace link_bounds {
 
 void Moment::addIncomplete(const std::string& name, std::optional<std::size_t> link) {
@@ -26,7 +28,7 @@ MomentPtr momentOf(const Scene& scene) {
     newest = std::max(newest, state.stamp);
   });
   moment->header.frame_id = moment->model->fixed_frame;
-  moment->header.stamp.fromNSec(static_cast<std::uint64_t>(newest));
+  moment->header.stamp = timeFrom(newest);
   return moment;
 }
 

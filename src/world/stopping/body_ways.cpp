@@ -488,8 +488,7 @@ WayBoxes wayBoxes(
     }
     if (!box) continue;
     moment->bodies.push_back({body.link, body.object, way.stamp, *box, way.pose});
-    const auto stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(way.stamp));
-    moment->header.stamp = std::max(moment->header.stamp, stamp);
+    moment->header.stamp = std::max(moment->header.stamp, timeFrom(way.stamp));
     result.ways.push_back(std::move(way));
   }
   if (incomplete > 1)

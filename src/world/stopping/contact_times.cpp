@@ -20,7 +20,7 @@ namespace {
 constexpr std::int64_t kHorizon = 10'000'000'000;
 
 ros::Time toTime(std::int64_t nanoseconds) {
-  return ros::Time().fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(nanoseconds, 0)));
+  return timeFrom(std::max<std::int64_t>(nanoseconds, 0));
 }
 
 class Contacts {

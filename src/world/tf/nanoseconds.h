@@ -13,4 +13,9 @@ inline std::int64_t nanosecondsOf(ros::Time time) {
   return static_cast<std::int64_t>(time.toNSec());
 }
 
+/// `nanoseconds` must not be negative.
+inline ros::Time timeFrom(std::int64_t nanoseconds) {
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
+}
+
 }  // namespace link_bounds

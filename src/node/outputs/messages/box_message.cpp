@@ -7,13 +7,10 @@
 #include <vector>
 
 #include "link_bounds/ros/messages.h"
+#include "world/tf/nanoseconds.h"
 
 namespace link_bounds {
 namespace {
-
-ros::Time toTime(std::int64_t nanoseconds) {
-  return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
-}
 
 /// Keeps memory for some entries more, but not for ten thousand objects that are gone.
 template <class T>
@@ -44,12 +41,12 @@ void BoxFiller::add(const std::string& name, const BoxState& state) {
 void BoxFiller::finish() {
   shorten(message_.boxes, boxes_);
   shorten(message_.incomplete, incomplete_);
-  message_.header.stamp = toTime(newest_);
+  message_.header.stamp = timeFrom(newest_);
 }
 
 /// Converts a stamp once for all boxes that have it.
 ros::Time BoxFiller::timeOf(std::int64_t stamp) {
-  if (stamp != stamp_) time_ = toTime(stamp);
+  if (stamp != stamp_) time_ = timeFrom(stamp);
   stamp_ = stamp;
   return time_;
 }

@@ -111,7 +111,7 @@ void NearestPairs::take(const Moment& moment, const PairMotion& motion) {
   const double limit = moment.model->parameters.distance_limit;
   if (motion.nearest && motion.nearest->lower <= limit) {
     Distance distance = toMessage(moment, FoundPair{motion.first, motion.second, *motion.nearest});
-    distance.stamp.fromNSec(static_cast<std::uint64_t>(motion.stamp));
+    distance.stamp = timeFrom(motion.stamp);
     was_undercut_ |= isFinding(distance, limit);
     keep(distance, {now_ - motion.duration, motion.stamp});
   }
