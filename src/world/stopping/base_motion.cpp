@@ -66,6 +66,12 @@ double stopLength(double speed, double deceleration, double reaction) {
   return (speed * reaction + speed * speed / (2 * deceleration)) * (1 + kStands);
 }
 
+/// Lets a base turn by as much as `turn`, and its path with it.
+void turnUpTo(double turn, MovingJoint& joint) {
+  joint.spread = std::min(joint.spread + turn - joint.turn, M_PI);
+  joint.turn = turn;
+}
+
 }  // namespace
 
 BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
@@ -126,7 +132,8 @@ BaseMotion around(BaseMotion motion, const BaseMotion& other, const Eigen::Isome
   MovingJoint& both = *motion.joint;
   const double turn = std::max(both.turn, joint.turn);
   if (joint.distance > both.distance) std::swap(joint, both);
-  both.turn = turn;
+  turnUpTo(turn, joint);
+  turnUpTo(turn, both);
   if (joint.distance <= kLittle * both.distance) {
     motion.more = std::max(motion.more, joint.distance);
     return motion;

@@ -405,6 +405,34 @@ TEST(StoppingBoxes, ACorrectionOfTheLocalisationHidesNoSpeed) {
   }
 }
 
+/// odom turns against the base: in the map the base only drives, in odom it only turns. It may do
+/// both until it stands.
+TEST(StoppingBoxes, ATurnThatOnlyOdomShowsBendsThePathInTheMap) {
+  Parameters parameters = goodParameters();
+  parameters.velocity_window = 0.05;
+  Robotics robot(parameters);
+  const auto turned = [](double angle) {
+    return Eigen::Isometry3d(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+  };
+  const Eigen::Translation3d out(2, 0, 0);
+  for (int i = 20; i >= 0; --i) {
+    const double time = -i / kRate;
+    sendCorrected(robot, kStamp + time, turned(-time), out * turned(time), false);
+  }
+  robot.scene().update(ros::Time(kStamp));
+  const WayBoxes found = robot.stopping();
+  EXPECT_TRUE(found.moment->incomplete.empty());
+  for (const double side : {-1.0, 1.0}) {
+    Eigen::Isometry3d pose(out);
+    for (int i = 0; i < 210; ++i) {  // 2 m/s and 1 rad/s for 0.1 s, then both fade by 1 per s^2
+      EXPECT_TRUE(contains(*found.moment, robot.boxesAt(robot.values({}), pose))) << side << i;
+      const double braked = std::max(0.0, i * 0.01 + 0.005 - 0.1);
+      pose.translation() -= pose.linear().col(1) * 0.01 * std::max(0.0, 2 - braked);
+      pose.rotate(turned(side * 0.01 * std::max(0.0, 1 - braked)).rotation());
+    }
+  }
+}
+
 /// It drives by a frame below, in which it nods, with noise. The box is longer, and hardly wider.
 TEST(StoppingBoxes, ABaseThatNodsKeepsItsDirection) {
   for (const double noise : {0.0, 1e-8, 1e-4}) {
