@@ -16,13 +16,13 @@ namespace {
 struct AllWork {
   std::mutex mutex;
   std::condition_variable has_ended;
-  std::set<StopFlag*> flags;  ///< of what runs
+  std::set<StopFlag*> flags;  ///< of running work
 };
 
 /// Never freed: threads may use it until the process is gone.
 std::atomic<AllWork*> all_work{new AllWork};
 
-/// After the last Python of the process, and before anything of C++ is destroyed.
+/// Runs after the last Python code of the process, and before C++ objects are destroyed.
 void endWork() {
   AllWork& all = *all_work;
   std::unique_lock<std::mutex> lock(all.mutex);
@@ -31,7 +31,7 @@ void endWork() {
   all.has_ended.wait(lock, [&all] { return all.flags.empty(); });
 }
 
-/// In a new process, which has none of the threads that work, one of which may have had the mutex.
+/// Runs in a forked process: it has none of the working threads, and one may have held the mutex.
 void forgetWork() {
   all_work = new AllWork;
 }
@@ -62,7 +62,7 @@ Unlocked::Unlocked() : state_(PyEval_SaveThread()) {}
 Unlocked::~Unlocked() {
   try {
     PyEval_RestoreThread(state_);
-  } catch (...) {  // of pthread_exit(): Python ends on another thread
+  } catch (...) {  // thrown by pthread_exit(): Python ends on another thread
     for (;;)
       ::pause();
   }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Work without the lock of Python (GIL), on threads that Python does not wait for when it ends,
-// such as the callbacks of rospy. A thread that asks for the lock by then would be ended by
-// Python 3.13 and older with an exception, which no destructor lets through: the process would
-// abort.
+// such as the callbacks of rospy. If such a thread asks for the lock after that, Python 3.13 and
+// older end it with an exception, which cannot leave a destructor: the process would abort.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,12 +14,12 @@ namespace link_bounds {
 
 using StopFlag = std::atomic<bool>;
 
-/// From now on the process stops all work and waits for it when Python has ended. Once, at the
+/// Makes the process stop all work, and wait for it, when Python has ended. Call it once, at the
 /// import.
 void watchEndOfPython();
 
-/// Work that uses no Python, from now on until this is destroyed, on whatever thread. After the end
-/// of Python the flag is set, and the process waits.
+/// Marks work that uses no Python, on any thread, until this is destroyed. After the end of Python,
+/// the flag is set, and the process waits for the work.
 class RunningWork {
  public:
   explicit RunningWork(StopFlag& stop);
@@ -32,8 +31,8 @@ class RunningWork {
   StopFlag& stop_;
 };
 
-/// The lock is free while this lives. If Python ends by then, the thread stops here for ever, as
-/// Python 3.14 has it. No RunningWork of this thread may outlive it.
+/// Releases the lock until this is destroyed. If Python ends by then, the thread waits in the
+/// destructor for ever, as in Python 3.14. So no RunningWork of this thread may outlive this.
 class Unlocked {
  public:
   Unlocked();

@@ -13,9 +13,9 @@
 
 namespace link_bounds {
 
-/// Calls `work` on a thread of its own, without the GIL, and returns what it returns or throws. If
-/// a signal of Python throws, as KeyboardInterrupt does, the flag is set; `work` should then end,
-/// and that exception is thrown. The end of Python sets the flag, too. Call it with the GIL.
+/// Calls `work` on a thread of its own, without the GIL, and returns or throws what it does. If a
+/// signal handler of Python raises, such as KeyboardInterrupt, the flag is set; `work` should then
+/// end, and that exception is thrown. The end of Python sets the flag, too. Call it with the GIL.
 template <class Work>
 auto interruptible(const Work& work) {
   constexpr std::chrono::milliseconds kBetweenSignals(20);

@@ -57,7 +57,7 @@ bool isSettable(const SharedRobot& shared, const std::string& name) {
   return !joint.mimic;
 }
 
-/// Into as many values as there are joints to be set, which are 0 before.
+/// Writes a dict into `values`, which has a zero for each joint of SharedRobot::joints().
 void readDict(const SharedRobot& shared, const py::dict& dict, double* values) {
   for (const auto& [key, value] : dict) {
     const std::string name = jointName(key);
@@ -85,7 +85,7 @@ JointRows rowsOfDicts(const SharedRobot& shared, const std::vector<py::dict>& di
   return rows;
 }
 
-/// Nothing if it is no list or tuple of dicts.
+/// Empty if `q` is no list or tuple of dicts.
 std::vector<py::dict> dictsOf(const py::handle& q) {
   std::vector<py::dict> dicts;
   if (!py::isinstance<py::list>(q) && !py::isinstance<py::tuple>(q)) return dicts;
@@ -100,8 +100,8 @@ std::string shapeOf(const py::array& array) {
   return reprOf(array.attr("shape"));
 }
 
-/// The values below the mask are no values, also where a list has the array. `levels` of lists
-/// are looked into: no value is deeper, and a list may contain itself.
+/// Whether `q` is a masked array, or a list that has one. Looks into lists only `levels` deep: no
+/// value is deeper, and a list may contain itself.
 bool isMasked(const py::handle& q, int levels = 2) {
   if (py::isinstance<py::float_>(q) || py::isinstance<py::int_>(q)) return false;  // most are
   if (py::isinstance<py::list>(q) || py::isinstance<py::tuple>(q))
@@ -135,10 +135,10 @@ void checkFinite(const SharedRobot& shared, const JointRows& rows, const std::st
   }
 }
 
-/// A number, or two.
+/// Reads a number, or a pair of numbers.
 Limits rangeOf(const py::handle& value, const std::string& joint) {
   const bool is_pair = py::isinstance<py::sequence>(value) && PyObject_Size(value.ptr()) == 2;
-  PyErr_Clear();  // of what has no size, such as an array without a dimension
+  PyErr_Clear();  // of objects without a size, such as an array without a dimension
   if (!is_pair) {
     const double number = numberOf(value, joint);
     return {number, number};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Joint values, ranges and numbers as users of Python write them. What is wrong is a ValueError
+// Joint values, ranges and numbers as users of Python write them. Wrong input raises a ValueError
 // that names it.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace link_bounds {
 
 using RowArray = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
-/// Rows of the values of SharedRobot::joints(), all finite. The array keeps them alive.
+/// Rows with one finite value per joint of SharedRobot::joints(). The array keeps them alive.
 struct JointRows {
   RowArray values;
   std::size_t count;  ///< rows
@@ -26,24 +26,24 @@ struct JointRows {
   }
 };
 
-/// A dict from names to values, joints without one are at 0; an array [joints] in the order of
-/// SharedRobot::joints(); an array [rows, joints]; or a list of dicts. An array of doubles with its
-/// rows one after the other is not copied. Errors call it `name`.
+/// Reads a dict {joint: value}, in which missing joints are at 0; an array [joints] in the order of
+/// SharedRobot::joints(); an array [rows, joints]; or a list of dicts. An array of doubles in C
+/// order is not copied. Errors call it `name`.
 JointRows jointRows(const SharedRobot& shared, const pybind11::handle& q,
                     const std::string& name = "q");
 
-/// Of one of the rows: a value per joint of the robot, 0 where the row has none.
+/// One value per joint of the robot, from one of the rows; 0 for joints that the rows do not have.
 std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std::size_t row);
 
-/// A dict from names to a value or to a pair (lower, upper); or None.
+/// Reads a dict {joint: value} or {joint: (lower, upper)}; or None.
 GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& ranges);
 
 /// Throws ValueError for more threads than any machine has. 0: one per core.
 void checkJobs(unsigned jobs);
 
-/// An array of real numbers. Throws ValueError for values of another type, which would be converted
-/// without their unit, and for a masked array: the values below the mask are none. `what` it must
-/// be.
+/// An array of real numbers. Throws ValueError for values of other types, which would be converted
+/// without their unit, and for a masked array, whose masked values are invalid. `what` tells in
+/// messages what it must be.
 pybind11::array numbersOf(const pybind11::handle& given, const std::string& name,
                           const std::string& what);
 

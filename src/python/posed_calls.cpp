@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads write what they compute for a row into the place of that row.
+// Each thread writes the results of a row to the place of that row.
 #include "python/posed_calls.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kBoxNumbers = 6;
 
-/// Rows that one thread takes, which follow each other, so that searches begin where the last row's
-/// ended.
+/// Rows that one thread takes at once. They are consecutive, so that each search can begin where
+/// the search of the row before ended.
 constexpr std::size_t kAtOnce = 32;
 
 /// One entry of the structured array, as the message Distance.
@@ -34,13 +34,13 @@ struct PairRow {
   std::uint8_t level;
 };
 
-/// The caller wants no results any more.
+/// Thrown if the caller wants no results any more.
 class EndedEarly : public std::exception {};
 
-/// What a call computes of a pose, in the row of that number.
+/// Computes the results of a pose; `row` is its index.
 using PoseWork = std::function<void(PosedRobot& posed, std::size_t row)>;
 
-/// For the user.
+/// Begin of a message about a row; "" for a single pose.
 std::string placeOf(const JointRows& rows, std::size_t row) {
   return rows.is_single ? "" : "q[" + std::to_string(row) + "]: ";
 }
@@ -78,13 +78,14 @@ void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const S
   forRows(0, rows.count, jobs, kAtOnce, take);
 }
 
-/// A single pose on this thread, with the GIL: waiting for it again may take longer than the boxes.
+/// Computes a single pose on this thread. boxesOf() keeps the GIL: to get it back may take longer
+/// than the boxes.
 void forOne(SharedRobot& shared, const JointRows& rows, const PoseWork& work) {
   const Borrowed posed(shared);
   workOn(shared, rows, 0, *posed, work);
 }
 
-/// Rows on other threads, without the GIL.
+/// Computes rows on other threads, without the GIL.
 void forMany(SharedRobot& shared, const JointRows& rows, unsigned jobs, const PoseWork& work) {
   const std::size_t useful = std::max<std::size_t>(1, rows.count / kAtOnce);
   const auto threads =
@@ -97,7 +98,7 @@ void forMany(SharedRobot& shared, const JointRows& rows, unsigned jobs, const Po
                    "\": its size and pose give no finite " + lacks);
 }
 
-/// A link that has no box is no ValueError only where the user allows links to be incomplete.
+/// Throws JointError for a link without a box, unless the user allows incomplete links.
 void writeBoxes(const SharedRobot& shared, const PosedRobot& posed, double* out) {
   for (std::size_t link = 0; link < shared.bounded().links.size(); ++link, out += kBoxNumbers) {
     const std::optional<Aabb>& box = posed.box(link);
@@ -125,7 +126,7 @@ PairRow rowOf(const LinkPairDistance& pair, std::size_t row) {
   return result;
 }
 
-/// A link without a box would be in no pair.
+/// Throws JointError for a link without a box, which would silently be in no pair.
 void refuseUnboxed(const SharedRobot& shared, const PosedRobot& posed) {
   for (std::size_t link = 0; link < shared.bounded().links.size(); ++link) {
     if (!posed.box(link) && !shared.allowsIncomplete()) refuse(shared, link, "distance");

@@ -9,10 +9,10 @@
 
 namespace link_bounds {
 
-/// Makes the type of what distancesOf() returns known to NumPy; once, before it is called.
+/// Registers the entries of distancesOf() as a type of NumPy. Call it once, before distancesOf().
 void registerPairRow();
 
-/// [links, 2, 3], or [rows, links, 2, 3]. `jobs` threads; 0: one per core.
+/// Corners as an array [links, 2, 3], or [rows, links, 2, 3]. `jobs` threads; 0: one per core.
 pybind11::array boxesOf(SharedRobot& shared, const pybind11::object& q, unsigned jobs);
 
 /// Pairs of all rows, sorted by row, first and second.

@@ -16,7 +16,7 @@
 
 namespace link_bounds {
 
-/// What a user gives for both proofs.
+/// Arguments that reach() and pairs() have in common.
 struct ProofRequest {
   pybind11::object ranges;  ///< see givenRanges
   double accuracy;          ///< m
@@ -33,20 +33,20 @@ struct NamedProof {
   PairProof proof;
 };
 
-/// In the order of the links. A thread per `jobs`; 0: one per core.
+/// Pairs in the order of the links. `jobs` threads; 0: one per core.
 std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofRequest& request,
                                      double clearance, double touching, bool adjacent,
                                      unsigned jobs);
 
-/// Of a reach: [2, 3], in metres.
+/// An array [2, 3] of the box of a reach, and of its gaps [m].
 pybind11::array boxOf(const Reach& reach);
 pybind11::array gapOf(const Reach& reach);
 
-/// What a user gives for the motion between way points.
+/// Arguments of check_path().
 struct PathRequest {
   pybind11::object poses;
   pybind11::object velocities;     ///< or None, as the next four
-  pybind11::object accelerations;  ///< as poses
+  pybind11::object accelerations;  ///< in the same forms as poses
   pybind11::object times;          ///< s
   pybind11::object objects;        ///< path of a file, see parseObjects()
   pybind11::object srdf;           ///< path of a file

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads triangles, too, because a file may have changed by the first question about distances.
+// Loads triangles at once, because files may have changed by the first question about distances.
 #include "python/shared_robot.h"
 
 #include "packages/package_path.h"

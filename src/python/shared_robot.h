@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot as the module keeps it: shared once, immutable, with what threads borrow to pose it.
+// The robot of the module: immutable, shared by threads, which borrow posed robots from it.
 #pragma once
 
 #include <map>
@@ -25,8 +25,8 @@ struct RobotRequest {
 /// Any number of threads may use it.
 class SharedRobot {
  public:
-  /// Throws RobotError, JointError, and UnusableRobot with a line per element that is lost, unless
-  /// that is allowed, and where `stop` is set.
+  /// Throws RobotError, JointError, and UnusableRobot with a line per lost element. Losses are only
+  /// accepted if the request allows them and `stop` is not set.
   SharedRobot(const RobotRequest& request, const StopFlag& stop);
 
   SharedRobot(const SharedRobot&) = delete;
@@ -39,17 +39,18 @@ class SharedRobot {
   const BoundedRobot& bounded() const { return bounded_; }
   bool allowsIncomplete() const { return allow_incomplete_; }
 
-  /// Emits a RuntimeWarning of links that have geometry of the other kind only, until the user has
-  /// it. Call it with the GIL.
+  /// Emits one RuntimeWarning about links that have only geometry of the other kind. If Python
+  /// makes it an exception, the next call emits it again. Call it with the GIL.
   void warnOfLeftOut() const;
 
   /// Indices of the joints that can be set: they move, and mimic no other one.
   const std::vector<std::size_t>& joints() const { return joints_; }
 
-  /// Warnings of the description, and what could not be loaded of its elements.
+  /// Warnings about the description, and about its elements that could not be loaded.
   std::vector<std::string> warnings() const;
 
-  /// What rests around the robot, with bodies; meshes and their losses as those of the robot.
+  /// Loads objects around the robot, with bodies. Meshes and losses are treated as those of the
+  /// robot.
   BoundedRobot loadObjects(const Robot& objects, const std::string& base_folder,
                            const StopFlag& stop) const;
 

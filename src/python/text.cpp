@@ -19,7 +19,7 @@ pybind11::str toPython(const std::string& text) {
 }
 
 std::string textOfFile(const std::string& file, const std::string& what) {
-  // Standard input is Python's own.
+  // Standard input belongs to Python itself.
   if (file == "-") throw UsageError("\"-\" is no file; give the path of " + what);
   return readText(file, what);
 }

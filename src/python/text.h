@@ -19,13 +19,14 @@ class UnusableRobot : public std::runtime_error {
 /// Bytes that are no UTF-8 become surrogates, as in the names of files.
 pybind11::str toPython(const std::string& text);
 
-/// The text of a file; `what` it must be, such as "a URDF". Throws UsageError with the reason.
+/// The text of a file. `what` names the expected content in messages, such as "a URDF". Throws
+/// UsageError with the reason.
 std::string textOfFile(const std::string& file, const std::string& what);
 
 /// Emits a RuntimeWarning at the line of the caller. Throws where Python makes it an exception.
 void warnInPython(const std::string& text);
 
-/// Sets the exception in Python that `error` means. Rethrows what it does not know.
+/// Sets the exception in Python for `error`. Rethrows exceptions of other types.
 void translate(std::exception_ptr error, const pybind11::handle& robot_error);
 
 }  // namespace link_bounds

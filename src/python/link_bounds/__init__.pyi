@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Types for editors and mypy. What the functions do is said by help(link_bounds.Robot).
+# Types for editors and mypy. help(link_bounds.Robot) describes the functions.
 import os
 from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
 

@@ -6,31 +6,32 @@ from rosgraph_msgs.msg import Clock
 
 MAX_AGE = 1.0  # s, the default
 STATUS_PERIOD = 1.0  # wall s between two statuses of a link_bounds_publisher in /diagnostics
-STATUS_NAME = ': boxes'  # how its status is named, after the name of the node
+STATUS_NAME = ': boxes'  # end of the name of its status, after the name of the node
 PUBLICATIONS = 'publications'  # the number of ~boxes since the start, a key of its status
 DISTANCE_LAG = 'distances behind boxes [s]'  # a key of its status
 
 
 def publisher_of(message):
-    """The node that sent it."""
+    """The name of the node that sent the message; '' if it is unknown."""
     return (getattr(message, '_connection_header', None) or {}).get('callerid', '')
 
 
 def number_of(status, key):
-    """What stands under that key of a status; 0 without it."""
+    """The number under `key` in a status; 0 if there is no such key."""
     return next((float(entry.value) for entry in status.values if entry.key == key), 0.0)
 
 
 class SignOfLife:
     """How long the last message of a topic counts. Times are seconds of a steady clock.
 
-    It counts for max_age, by the clock of the wall and by that of ROS. A node whose robot stands
-    still sends no boxes, but a status in /diagnostics each second of wall time, on the thread that
-    makes the boxes. The status says that the last message still holds, and counts for max_age after
-    the next one was due, by the wall alone. So does the first message of a node, whose first status
-    may come a second later. A status does not count if it says, under the key of the lag, that the
-    messages are more than max_age behind; or, without such a key, if the node has published ~boxes
-    since the first status after the last message: that message no longer holds.
+    A message counts for max_age, by the clock of the wall and by that of ROS. A node whose robot
+    stands still sends no boxes, but a status in /diagnostics each second of wall time, on the
+    thread that makes the boxes. The status confirms the last message. It counts until max_age after
+    the next status was due, by the clock of the wall alone. So does the first message of a node,
+    whose first status may come a second later. With lag_key, a status does not count if its number
+    under that key, by which messages are behind, is above max_age. Without lag_key, a status does
+    not count if the node has published ~boxes since the first status after the last message:
+    that message no longer holds.
     """
 
     def __init__(self, max_age, lag_key=None, topic=''):
@@ -38,30 +39,31 @@ class SignOfLife:
         self._lag_key = lag_key
         self._topic = topic  # its full name
         self._names = set()  # of the statuses that the publisher of the topic has sent
-        self._strangers = set()  # nodes whose statuses it sent, while there was none of the topic's
+        self._strangers = set()  # nodes of its statuses, while none was of the topic's node
         self._publications = None  # in the first status since the last message
-        self._has_missed = False  # a status did not count because of them
-        self._lag = 0.0  # s, the longest of those that were too long
-        self._ros_time = 0.0  # s, of the last /clock; 0 without
+        self._has_missed = False  # a status did not count, because ~boxes were published since
+        self._lag = 0.0  # s, max of the lags that were too long; 0 if none was
+        self._ros_time = 0.0  # s, of the last /clock; 0 if there was none
         self._publisher = None  # of the last message
         self._message = None  # when the last message came, by both clocks
         self._status_until = 0.0  # when the last status ceases to count
-        self._last_sign = 0.0  # of either
-        self._silence = 0.0  # s, the longest of those that were too long
+        self._last_sign = 0.0  # when the last message or the last status that counts came
+        self._silence = 0.0  # s, the longest silence that was too long; 0 if none was
 
     def is_of_node(self):
-        """Whether the publisher is a link_bounds node, or a player of one: its status has come. Others may
-        not count their messages, as rospy does not where it sends the latched one again."""
+        """Whether the publisher is a link_bounds node, or a player of one: its status has come.
+        Other publishers may not number all messages: rospy does not if it sends the latched one
+        again."""
         return bool(self._names)
 
     def topics(self, topic_type, is_time_simulated):
-        """What it listens to."""
+        """The topics that it listens to."""
         clock = [topic_type('/clock', Clock, self.see_clock, is_needed=False)]
         return [topic_type('/diagnostics', DiagnosticArray, self.see_status, is_needed=False)] + (
             clock if is_time_simulated else [])
 
     def see(self, message, now):
-        """A message of the topic."""
+        """Takes a message of the topic."""
         is_first = publisher_of(message) != self._publisher
         if is_first:
             self._names = set()
@@ -86,7 +88,7 @@ class SignOfLife:
         self._ros_time = message.clock.to_sec()
 
     def silent_since(self, now):
-        """When the last sign of life ceased to count; None while it does, and before the first."""
+        """When the last sign of life ceased to count; None while it counts or before the first."""
         if self._message is None or now <= self._status_until:
             return None
         if max(now - self._message[0], self._ros_time - self._message[1]) <= self._max_age:
@@ -111,7 +113,8 @@ class SignOfLife:
         return lines
 
     def _is_of_topic(self, name):
-        """A player, or a manager of nodelets, may send the statuses of several nodes."""
+        """Whether a status is of the topic's node: a player, or a manager of nodelets, may send the
+        statuses of several nodes."""
         fitting = [known for known in self._names
                    if self._topic.startswith('/' + known[:-len(STATUS_NAME)] + '/')]
         is_its = name == max(fitting, key=len, default=self._publisher[1:] + STATUS_NAME)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of published topics share: parameters, the time of a hold, and the report."""
+"""Shared by the tests of published topics: parameters, the time of a hold, and the report."""
 import json
 import math
 import os
@@ -19,7 +19,7 @@ import rospy
 from sign_of_life import MAX_AGE, publisher_of
 
 PERIOD = 0.01  # wall s between two looks at the deadline
-REQUIRED = None  # the default of a parameter that has none
+REQUIRED = None  # stands in place of a default: the parameter must be given
 
 # On Debian 11 rospy calls isAlive() of threads when it shuts down, which Python 3.9 lacks.
 if not hasattr(threading.Thread, 'isAlive'):
@@ -27,7 +27,7 @@ if not hasattr(threading.Thread, 'isAlive'):
 
 
 class ParameterError(AssertionError):
-    """A fault of the test itself: its parameters mean nothing."""
+    """A fault of the test itself: its parameters cannot be used."""
 
 
 def is_number(value):
@@ -38,14 +38,14 @@ def is_triple(value):
     return isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
 
 
-KINDS = {  # which values are of the kind, and what such a value is called
+KINDS = {  # kind: check of a value, and the name of such a value in messages
     'string': (lambda value: isinstance(value, str), 'a string'),
     'double': (is_number, 'a number'),
     'double[3]': (is_triple, 'a list of 3 numbers')}
 
 
 class Parameter(NamedTuple):
-    """One row of the table: the reader and --help go by it."""
+    """One row of the table of parameters, which the reader and --help use."""
     name: str
     kind: str
     default: Any
@@ -127,12 +127,12 @@ Exit status: 0 passed, 1 failed.
 
 
 class Hold:
-    """Whether something stayed true for long enough, once; times are seconds of a steady clock."""
+    """Whether something once stayed true for long enough. Times are seconds of a steady clock."""
 
     def __init__(self, seconds):
         self._seconds = seconds
         self._since = None  # None while it is not true
-        self._longest = 0.0  # s, before _since
+        self._longest = 0.0  # s, the longest time that ended before _since
         self._was_kept = False  # before _since
 
     def update(self, is_true, now):
@@ -143,7 +143,7 @@ class Hold:
             self._since = now
 
     def look(self, is_true, silent_since, now):
-        """As update(), but from silent_since on, if that is not None, it is not true."""
+        """As update(), but it counts as not true from silent_since on, if that is not None."""
         if silent_since is None:
             self.update(is_true, now)
         else:
@@ -165,15 +165,16 @@ class Hold:
 
 
 class Losses:
-    """Counts messages that were published and did not come, by their sequence numbers. Those of a publisher
-    say nothing more once one went back: it may pass on the messages of several."""
+    """Counts messages that were published but did not arrive, by their sequence numbers. Once the
+    numbers of a publisher go back, they are ignored: it may pass on the messages of several
+    publishers."""
 
     def __init__(self):
         self.count = 0
-        self._next = {}  # the number after the last one of each publisher, or None
+        self._next = {}  # the next number of each publisher, or None if they are ignored
 
     def see(self, message, tells):
-        """How many were lost before that one, if numbers of that publisher tell."""
+        """The number of messages lost before this one; 0 if `tells` is False."""
         publisher, number = publisher_of(message), message.header.seq
         due = self._next.get(publisher, number)
         goes_back = due is None or number < due - 1
@@ -189,7 +190,7 @@ class Losses:
 
 
 class Topic(NamedTuple):
-    """What a watch listens to."""
+    """A topic that a watch listens to."""
     name: str
     kind: type
     see: Callable  # called with a message and the time [s]
@@ -213,7 +214,7 @@ class Watch:
     """Compares messages with one assertion, and keeps the last one for the report. Times are in s.
     A watch defines is_kept_by(message), failure(now), and told(): lines about the last message."""
 
-    fault = ''  # or why it cannot pass at all
+    fault = ''  # why the test cannot pass at all; '' if it can
 
     def __init__(self, title, assertion, kind, life):
         self.title = title
@@ -253,7 +254,7 @@ class Watch:
         return not self.fault and self._hold.is_kept(now)
 
     def evidence(self):
-        """What the verdict rests on, where that needs to be said."""
+        """What the verdict rests on, as text; '' if nothing needs to be said."""
         return ''
 
     def last_seen(self):
@@ -265,12 +266,12 @@ class Watch:
 
 
 class TopicTest(unittest.TestCase):
-    """The one test: passes as soon as what it watches has held."""
+    """The only test: passes as soon as the assertion has held for long enough."""
 
     def __init__(self, program, start):
         super().__init__()
-        self.title = 'parameters'  # what the report calls the test; then what it asserts
-        self.evidence = ''  # what the verdict rests on, where that needs to be said
+        self.title = 'parameters'  # name of the test in the report; later what it asserts
+        self.evidence = ''  # what the verdict rests on; '' if nothing needs to be said
         self._program = program
         self._start = start
         self._is_interrupted = False
@@ -287,7 +288,7 @@ class TopicTest(unittest.TestCase):
                       'it must be http://HOST:PORT')
         if not is_online:
             self.fail(f'no ROS master answers at {rosgraph.get_master_uri()}; start it by rostest')
-        # All times are of the wall's clock.
+        # All times are wall time.
         rospy.init_node(self._program.name, disable_rostime=True, disable_signals=True)
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self._interrupt)
@@ -326,8 +327,8 @@ class TopicTest(unittest.TestCase):
                     return
                 if now > watch.deadline:
                     self.fail(watch.failure(now))
-                # Each time: the last message may be handled after its connection has ended. A topic
-                # of which nothing has come yet may still connect, and has nothing to lose.
+                # In each turn: the last message may be handled after its connection has ended. A
+                # topic without any message so far may still connect, and has nothing to lose.
                 for topic, subscriber in subscribers:
                     if topic.is_needed and topic.name in seen and connections(subscriber) == 0:
                         watch.lose_publisher(topic.name, now)
@@ -335,8 +336,8 @@ class TopicTest(unittest.TestCase):
 
 
 def connections(subscriber):
-    """How many publishers it hears. get_num_connections() of Debian 11's rospy also counts those that
-    have gone, to which it tries to connect again."""
+    """The number of connected publishers. get_num_connections() of Debian 11's rospy also counts
+    those that have gone, to which it tries to connect again."""
     return sum(connection.socket is not None for connection in subscriber.impl.connections or ())
 
 
@@ -372,8 +373,8 @@ def junit_xml(suite, test, seconds, failure):
 
 
 def write_file(path, content):
-    """Makes the folder if it is missing. A reader finds the complete file or none. What is there
-    and is no file, such as /dev/null or a pipe, is written into and stays."""
+    """Makes the folder if it is missing. A reader finds the complete file or none. If there
+    is something else than a file, such as /dev/null or a pipe, writes into it and keeps it."""
     is_descriptor = path.startswith(('/dev/fd/', '/dev/std', '/proc/'))
     if is_descriptor or os.path.exists(path) and not os.path.isfile(path):
         with open(path, 'ab') as device:
@@ -400,13 +401,13 @@ def node_name(default):
 
 
 def version():
-    """That of package.xml, without rospkg's manifest: that would ask for the data of rosdep."""
+    """The version in package.xml. rospkg's manifest would need the data of rosdep."""
     folder = rospkg.RosPack().get_path('link_bounds')
     return ElementTree.parse(os.path.join(folder, 'package.xml')).findtext('version')
 
 
 def run(program):
-    """The exit status of the program."""
+    """Runs the program and returns its exit status."""
     start = time.monotonic()
     arguments = rospy.myargv()[1:]
     if '--help' in arguments or '-h' in arguments:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From recorded transforms to extremes, entries and distances on standard output.
+// Reads recorded transforms and prints extremes, entries into zones and distances.
 #include <ros/console.h>
 
 #include <iostream>
@@ -16,7 +16,7 @@ namespace link_bounds {
 
 namespace {
 
-/// What the node would log becomes a line of this program.
+/// Prints what the node would log as a warning of this program, unless it is below WARN.
 void printLog(void*, ros::console::Level level, const char* text, const char*, const char*, int) {
   if (level >= ros::console::levels::Warn) warn(text);
 }

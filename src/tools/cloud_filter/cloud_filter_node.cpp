@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From what arrives to what is sent, in the order of the functions below.
+// The functions follow a message from its arrival to the output.
 #include "tools/cloud_filter/cloud_filter_node.h"
 
 #include <ros/console.h>
@@ -20,14 +20,14 @@
 namespace link_bounds {
 namespace {
 
-/// An output takes at once all that waited.
+/// Of inputs and outputs: an output may get all waiting messages at once.
 constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 
 constexpr char kNoStamp[] = "its header has no stamp; set that of the measurement";
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
-/// Messages of /clock, ten seconds of 1 kHz.
+/// Messages of /clock: ten seconds at 1 kHz.
 constexpr std::uint32_t kClockQueue = 10'000;
-constexpr double kLateTurn = 250;  // ms, beyond max_wait
+constexpr double kLateTurn = 250;  // ms after max_wait; a later turn is reported
 constexpr char kClockJumped[] = "the clock jumped back";
 constexpr char kTooLong[] = "it waited too long for its turn, and now ";
 constexpr std::chrono::milliseconds kTick(5);
@@ -139,7 +139,7 @@ void CloudFilterNode::spin() {
   }
 }
 
-/// All that waits. If that is all that a queue of an input holds, more may have come.
+/// Calls all callbacks that wait now. A full queue of an input may have lost messages.
 void CloudFilterNode::takeAll() {
   clouds_taken_ = scans_taken_ = transforms_taken_ = 0;
   for (std::size_t waiting = queue_.backlog().count; waiting > 0; --waiting)
@@ -155,7 +155,7 @@ void CloudFilterNode::adopt(std::shared_ptr<const FilteredRobot> robot) {
   held_->adopt(robot_);
 }
 
-/// After a change of the robot or of what it holds.
+/// Lists the bodies again, after a change of the robot or of the objects that it holds.
 void CloudFilterNode::listBodies() {
   const std::vector<TransformBuffer::Hold> old_frames = std::move(frames_);
   names_.clear();
@@ -205,13 +205,13 @@ void CloudFilterNode::onTransforms(const TfReceiver::Event& event, bool is_stati
       clock_, now(), queue_.arrival(), tf_);
 }
 
-/// Simulated time comes by the queue of the node, in the order of arrival: while a cloud is
-/// filtered it may jump back, and pass the time before that.
+/// Simulated time is taken from the queue of the node, in the order of arrival. ros::Time::now()
+/// may jump back while a cloud is filtered, and pass the old time again unnoticed.
 ros::Time CloudFilterNode::now() const {
   return clock_subscriber_ ? simulated_now_ : ros::Time::now();
 }
 
-/// After a jump back, what waits is from a time that tf has forgotten.
+/// After a backward jump, gives up all waiting messages: tf has forgotten their times.
 void CloudFilterNode::observeClock() {
   const ros::Time now = this->now();
   const ClockWatch::Event event = clock_.observe(now);
@@ -251,9 +251,9 @@ std::string CloudFilterNode::Waiting::fault() const {
   return cloud ? layoutOf(*cloud).problem : problemOf(*scan);
 }
 
-/// While the first one of an input waits for tf, all of that input do.
+/// While the first message of an input waits for tf, the others wait behind it.
 void CloudFilterNode::add(Waiting waiting) {
-  completed([&] { observeClock(); });  // what is of after a jump must not be dropped with the rest
+  completed([&] { observeClock(); });  // first, so that a jump does not drop this message
   if (clock_.isFromBeforeJump(waiting.header().stamp, now(), waiting.since)) {
     giveUp(waiting, kClockJumped, false);
     return;
@@ -287,8 +287,8 @@ void CloudFilterNode::giveUpOldest(Input& input) {
   input.waiting.pop_front();
 }
 
-/// Only one, so that what arrives in the meantime is taken from roscpp, whose queues drop messages
-/// without a word. False if there is none that does not have to wait.
+/// Filters only one message, so that new messages are taken soon from roscpp, whose full queues
+/// drop messages silently. False if no message is ready.
 bool CloudFilterNode::filterNext() {
   const bool is_scan_first =
       !scans_.waiting.empty() &&
@@ -297,8 +297,8 @@ bool CloudFilterNode::filterNext() {
          filterFirst(is_scan_first ? clouds_ : scans_);
 }
 
-/// In the order of arrival, so that an output keeps the order of its input. False if the first one
-/// has to wait, or if there is none.
+/// Filters the oldest message, so that the output keeps the order of the input. False if it has to
+/// wait for tf, or if there is none.
 bool CloudFilterNode::filterFirst(Input& input) {
   if (input.waiting.empty()) return false;
   const double max_wait = robot_ ? robot_->parameters.max_wait : FilterParameters().max_wait;
@@ -309,7 +309,7 @@ bool CloudFilterNode::filterFirst(Input& input) {
   Outcome outcome;
   try {
     outcome = filter(waiting);
-  } catch (const std::exception& error) {  // it would wait for ever, and all others behind it
+  } catch (const std::exception& error) {  // else it and all messages behind it would wait for ever
     outcome.reason = error.what();
   }
   input.waits_for = outcome.may_come ? outcome.reason : "";
@@ -319,11 +319,11 @@ bool CloudFilterNode::filterFirst(Input& input) {
            outcome.may_come && !is_late_turn);
   }
   input.waiting.pop_front();
-  if (input.waiting.empty()) input.waits_for.clear();  // what comes next may find its transforms
+  if (input.waiting.empty()) input.waits_for.clear();  // the next message may find its transforms
   return true;
 }
 
-/// What cannot be read is never passed on, also where it is late because it was behind others.
+/// A message that cannot be read is never passed on, even if it is given up for being late.
 void CloudFilterNode::giveUp(const Waiting& waiting, const std::string& reason, bool is_late) {
   const std::string fault = is_late ? waiting.fault() : "";
   const bool is_passed = is_late && fault.empty() && robot_ && robot_->parameters.late == "pass";
@@ -332,7 +332,7 @@ void CloudFilterNode::giveUp(const Waiting& waiting, const std::string& reason, 
   publish(waiting);
 }
 
-/// Subscribers of this process, other nodelets, share the message; so it must not change any more.
+/// Subscribers in this process (nodelets) share the message, so it must not change after this call.
 void CloudFilterNode::publish(const Waiting& waiting) {
   if (waiting.cloud) {
     output_.publish(boost::shared_ptr<const sensor_msgs::PointCloud2>(waiting.cloud));
@@ -378,7 +378,7 @@ CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting, const CloudPo
   return {true, false, ""};
 }
 
-/// Before the points are removed.
+/// Call it before the points are removed from the message.
 void CloudFilterNode::sendNearest(const std_msgs::Header& header, const CloudPoints& points,
                                   const std::vector<RobotPoint>& removed) {
   const auto sensor = tf_.find(tfName("", header.frame_id));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From clouds and tf to clouds without the robot. Messages wait here until tf reaches their time.
+// Removes the robot from clouds and scans. Messages wait here until tf reaches their time.
 #pragma once
 
 #include <ros/message_event.h>
@@ -32,7 +32,7 @@ namespace link_bounds {
 /// Everything here runs on the thread that calls spin().
 class CloudFilterNode {
  public:
-  /// The name of `private_node` is that of the node. `on_failure`: see RobotLoading.
+  /// The namespace of `private_node` is the name of the node. `on_failure`: see RobotLoading.
   CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                   std::function<void()> on_failure);
   CloudFilterNode(const CloudFilterNode&) = delete;
@@ -41,7 +41,7 @@ class CloudFilterNode {
   /// Handles what arrives, until ROS shuts down or stop() is called.
   void spin();
 
-  /// On any thread; returns at once.
+  /// Any thread may call it; it returns at once.
   void stop() { is_stopping_ = true; }
 
   int exitCode() const { return loading_->hasFailed() ? 1 : 0; }
@@ -51,15 +51,15 @@ class CloudFilterNode {
   using Scan = Received<sensor_msgs::LaserScan>;
   using Loading = RobotLoading<FilteredRobot, FilterParameters>;
 
-  /// A cloud or a scan.
+  /// A cloud or a scan that waits; the other pointer is null.
   struct Waiting {
     boost::shared_ptr<Cloud> cloud;
     boost::shared_ptr<Scan> scan;
     ros::SteadyTime since;
-    std::optional<TimeSpan> span = std::nullopt;  ///< of its points, once it is known
-    bool was_first = false;                       ///< its turn has come
+    std::optional<TimeSpan> span = std::nullopt;  ///< of the times of its points, once known
+    bool was_first = false;                       ///< it has been the first of its input
 
-    std::size_t bytes() const;  ///< of all that has no fixed size
+    std::size_t bytes() const;  ///< of the members of variable length
     std::string fault() const;  ///< why it cannot be read; "" if it can
     const std_msgs::Header& header() const { return cloud ? cloud->header : scan->header; }
     const char* topic() const { return cloud ? kCloudTopic.name : kScanTopic.name; }
@@ -68,14 +68,14 @@ class CloudFilterNode {
   /// The messages of one topic that wait, the oldest first.
   struct Input {
     std::deque<Waiting> waiting;
-    std::string waits_for = "";  ///< what of tf the first one lacked, or the last that was first
+    std::string waits_for = "";  ///< what the first message lacks from tf; "" if nothing
   };
 
-  /// What could be done with a message now.
+  /// The result of trying to filter a message.
   struct Outcome {
     bool is_done = false;
-    bool may_come = false;  ///< if it was not done: with more of tf
-    std::string reason;     ///< why it was not
+    bool may_come = false;  ///< if it is not done: more transforms may help
+    std::string reason;     ///< why it is not done
   };
 
   void subscribe();
@@ -105,17 +105,17 @@ class CloudFilterNode {
   ros::Time now() const;
   void observeClock();
 
-  TimedQueue queue_;  ///< first: what follows posts into it
+  TimedQueue queue_;  ///< first, because later members post into it
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   TransformBuffer tf_;
   TransformInput tf_input_;
   ClockWatch clock_;
-  ros::Time simulated_now_;  ///< what was taken of /clock
-  Input clouds_, scans_;     // a scan that waits for tf delays no cloud, and no cloud a scan
-  std::size_t clouds_taken_ = 0, scans_taken_ = 0, transforms_taken_ = 0;  ///< by takeAll()
+  ros::Time simulated_now_;  ///< the last time of /clock that was handled
+  Input clouds_, scans_;     // separate, so that neither delays the other while it waits for tf
+  std::size_t clouds_taken_ = 0, scans_taken_ = 0, transforms_taken_ = 0;  ///< in one takeAll()
   std::shared_ptr<const FilteredRobot> robot_;  ///< null until it is loaded
-  // Links, then held objects:
+  // Bodies as parallel lists, links before held objects:
   std::vector<std::string> names_;
   std::vector<TransformBuffer::Hold> frames_;
   std::vector<std::shared_ptr<const BodyGrid>> grids_;
@@ -129,7 +129,7 @@ class CloudFilterNode {
   ros::Subscriber clock_subscriber_;  ///< only where simulated time is in use
   std::atomic<bool> is_stopping_{false};
   std::unique_ptr<HeldObjects> held_;
-  std::unique_ptr<Loading> loading_;  ///< last: its thread ends before the rest goes
+  std::unique_ptr<Loading> loading_;  ///< last: its thread ends before other members do
 };
 
 }  // namespace link_bounds

@@ -21,8 +21,8 @@ class CloudFilterNodelet : public nodelet::Nodelet {
   }
 
  private:
-  /// Where the program ends, because a parameter is wrong, the manager and other nodelets go on:
-  /// the log and /diagnostics say it, and ~reload reads all again.
+  /// Ignores failures that would end the program, such as a wrong parameter: the manager and other
+  /// nodelets go on. The log and /diagnostics report them, and ~reload reads everything again.
   void onInit() override {
     node_ = std::make_unique<CloudFilterNode>(getNodeHandle(), getPrivateNodeHandle(), [] {});
     thread_ = std::thread([this] { node_->spin(); });

@@ -21,7 +21,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr std::size_t kMaxReasons = 20;  // rows in one status, and one for the others
+constexpr std::size_t kMaxReasons = 20;  // rows of a status; one more counts all others
 constexpr char kOtherReasons[] = "other reasons";
 
 std::string text(double value, int decimals) {
@@ -30,8 +30,8 @@ std::string text(double value, int decimals) {
   return out.str();
 }
 
-/// Without the digits of words that are numbers: times differ from message to message. Names are
-/// in quotes, or have letters.
+/// Removes numbers, so that texts that differ only in times are counted together. Keeps the digits
+/// of names, which are in quotes or have letters.
 std::string withoutNumbers(const std::string& text) {
   std::string result;
   bool is_quoted = false, is_name = false;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What /diagnostics says of the filter.
+// The status of the filter on /diagnostics.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
@@ -18,12 +18,12 @@ namespace link_bounds {
 
 class FilterHealth {
  public:
-  /// `name` is that of the node.
+  /// `name` is the name of the node.
   FilterHealth(ros::NodeHandle& node, std::string name);
 
-  /// roscpp drops messages without a word when a queue is full. The queue of an input therefore
-  /// holds one message more than may wait: whenever it was full, the filter drops at least
-  /// one itself, and says so.
+  /// roscpp drops messages silently when a queue is full. The queue of an input therefore holds one
+  /// message more than may wait: whenever it was full, the filter drops at least one itself and
+  /// reports it.
   static constexpr std::uint32_t kMaxWaiting = 32;  // messages of an input that wait
   static constexpr std::uint32_t kQueue = kMaxWaiting + 1;
 
@@ -33,39 +33,39 @@ class FilterHealth {
   /// The queue of /tf was full, so roscpp may have dropped transforms.
   void addFullTfQueue() { recent_.was_tf_full = true; }
 
-  /// A cloud or scan was filtered: it waited for tf and its turn, then took so long.
+  /// A cloud or scan was filtered. `waited_ms` is its wait for tf and its turn, `filter_ms` the
+  /// filtering.
   void addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
                    double filter_ms);
 
-  /// One that was filtered had waited for others for long.
+  /// A cloud or scan was filtered too late, because others took too long.
   void addLateTurn() { ++recent_.late_turns; }
 
-  /// One was dropped or, if `is_passed`, sent on with the robot's points. Logs that, at a limited
-  /// rate.
+  /// A cloud or scan was dropped or, if `is_passed`, sent on with the points of the robot. Logs it
+  /// at a limited rate.
   void addUnfiltered(const std::string& topic, const std::string& reason, bool is_passed);
 
-  /// A cloud was filtered, but there are no nearest points of it, for which somebody listens. Logs
-  /// that, at a limited rate.
+  /// A cloud was filtered, but its nearest points are missing, although ~nearest has a subscriber.
+  /// Logs that, at a limited rate.
   void addWithoutNearest(const std::string& reason);
 
-  /// One status named "<node name>: cloud filter". ERROR: there is no robot, none of its links is
-  /// filtered, or since the last status something failed that should not. WARN: geometry or held
-  /// objects are missing, or since the last status clouds were not filtered, late or lacked nearest
-  /// points, or none was filtered. Else OK. `robot` may be null; if it cannot be loaded,
-  /// `failure` says why. `problems` are those of held
-  /// objects; `waiting` messages wait. `max_waiting` callbacks waited at once since the last
-  /// status.
+  /// Publishes one status named "<node name>: cloud filter". ERROR: there is no robot, none of its
+  /// links is filtered, or an unexpected error occurred since the last status. WARN: geometry or
+  /// held objects are missing, or since the last status clouds were not filtered, late or lacked
+  /// nearest points, or none was filtered. Else OK. `robot` may be null; `failure` says why it
+  /// cannot be loaded. `problems` are about held objects. `waiting` is the number of messages that
+  /// wait, `max_waiting` the max number of callbacks that waited at once since the last status.
   void publish(const FilteredRobot* robot, const std::string& failure,
                const std::vector<std::string>& problems, std::size_t waiting,
                std::size_t max_waiting);
 
  private:
   struct Reason {
-    std::string text;  ///< the last one
+    std::string text;  ///< of the last occurrence
     std::size_t count = 0;
   };
 
-  /// By their texts without digits.
+  /// The keys are the texts without numbers.
   using Reasons = std::map<std::string, Reason>;
 
   /// Since the last status.
@@ -76,7 +76,7 @@ class FilterHealth {
     std::uint64_t full = 0, late_turns = 0;
     bool was_tf_full = false;
     Reasons unfiltered;       ///< why clouds were not filtered
-    Reasons without_nearest;  ///< why filtered ones have no nearest points
+    Reasons without_nearest;  ///< why filtered clouds have no nearest points
   };
 
   static void addReason(const std::string& reason, Reasons& reasons);

@@ -59,7 +59,7 @@ class GridMaker {
   static constexpr unsigned kMaxThreads = 4;
   struct Cancelled {};
 
-  /// The first link of the same body and padding: wheels and fingers have one mesh.
+  /// The first link with the same body and padding; wheels or fingers often share one mesh.
   std::size_t originalOf(std::size_t link) const {
     std::size_t i = 0;
     while (i < link && !(robot_.links[i].padding == robot_.links[link].padding &&

@@ -27,7 +27,7 @@ struct FilteredRobot {
   std::string summary;                ///< one line for the log
 };
 
-/// Of what has a grid that is not whole, after its name.
+/// Message after the name of a body whose grid is incomplete.
 constexpr char kNotWhole[] =
     " is not filtered, or not all of it: coordinates are too large or not finite";
 

@@ -21,11 +21,12 @@ namespace {
 
 constexpr std::uint32_t kObjectQueue = 1000;  // messages, as for a burst of single markers
 
-/// A publisher may invent names without end, and each grid takes up to 256 KiB, its triangles more.
+/// Limits memory: a publisher may send ever new names, and each grid takes up to 256 KiB, its
+/// triangles more.
 constexpr std::size_t kMaxHeld = 64;
-constexpr std::size_t kMaxRefused = 100;  // that are named
+constexpr std::size_t kMaxRefused = 100;  // refused markers that are named; more are only counted
 
-/// Throws what has words.
+/// Throws exceptions whose what() is a reason for the user.
 Body bodyOf(const ObjectContent& content, const std::function<bool()>& is_cancelled,
             const CheckInterrupt& check_interrupt) {
   if (content.mesh_uri.empty()) {
@@ -45,7 +46,7 @@ Body bodyOf(const ObjectContent& content, const std::function<bool()>& is_cancel
   return objectBody(with_points, tree.triangles);
 }
 
-/// The key of the work for an object.
+/// The key of the worker's task for an object.
 std::string keyOf(const ObjectKey& key) {
   return "object " + objectName(key);
 }
@@ -139,8 +140,8 @@ void HeldObjects::refuse(const std::string& name, const std::string& reason) {
   }
 }
 
-/// A grid that is being made is completed although a newer content waits: of a marker that changes
-/// all the time none would ever be.
+/// A grid that is being made is completed even if a newer content waits. Otherwise a marker that
+/// changes all the time would never get a grid.
 void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
   held.requested = ++requests_;
   if (held.first == 0) held.first = held.requested;
@@ -168,8 +169,8 @@ void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
   worker_.post(keyOf(key), make);
 }
 
-/// Also takes a grid of an older content, which is better than one that is older still. What was
-/// requested before a reload, or for a marker that was deleted meanwhile, comes too late.
+/// Takes the grid of an older content, too: the grid before it is older still. Discards the results
+/// of requests from before a reload, and for markers that have been deleted.
 void HeldObjects::take(const ObjectKey& key, std::uint64_t request, const std::string& frame,
                        std::shared_ptr<const BodyGrid> grid, const std::string& problem) {
   const auto found = held_.find(key);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the robot holds: markers that follow one of its links.
+// Objects that the robot holds: markers that follow one of its links.
 #pragma once
 
 #include <ros/message_event.h>
@@ -21,26 +21,26 @@
 namespace link_bounds {
 
 struct HeldObject {
-  std::shared_ptr<const ObjectContent> content;  ///< the newest; null: to be made again
-  /// Of an earlier content, while that of the newest one is being made; null before the first.
+  std::shared_ptr<const ObjectContent> content;  ///< the newest; null: its grid is to be made again
+  /// The last grid that was completed, perhaps of an older content; null before the first one.
   std::shared_ptr<const BodyGrid> grid;
-  std::string frame;        ///< of the grid
-  std::string problem;      ///< why there is no grid of the newest content; "" if there is one
-  std::uint64_t first = 0;  ///< request of which a grid may still be used; earlier ones are over
+  std::string frame;            ///< tf frame of the grid
+  std::string problem;          ///< why there is no grid of the newest content; "" if there is one
+  std::uint64_t first = 0;      ///< results of earlier requests are discarded
   std::uint64_t requested = 0;  ///< the last request
   std::uint64_t made = 0;       ///< the request of the grid, or of the problem
 
-  std::shared_ptr<std::atomic<bool>> is_gone;  ///< ends the making of grids
+  std::shared_ptr<std::atomic<bool>> is_gone;  ///< true ends the making of its grids
 
   bool isNewest() const { return made == requested && grid && problem.empty(); }
 };
 
-/// All runs on the thread of the node, but the making of grids, for which `worker` is.
+/// Runs on the thread of the node, except the making of grids, which runs on `worker`.
 class HeldObjects {
  public:
   using Objects = std::map<ObjectKey, HeldObject>;
 
-  /// `on_change` is called when a grid or a problem came or went.
+  /// `on_change` is called when a grid or a problem appears or disappears.
   HeldObjects(ros::NodeHandle& private_node, TransformBuffer& tf, Worker& worker,
               ros::CallbackQueueInterface& queue, std::function<void()> on_change);
   HeldObjects(const HeldObjects&) = delete;
@@ -48,20 +48,20 @@ class HeldObjects {
 
   const Objects& objects() const { return held_; }
 
-  /// Markers that follow links and are not filtered, because there are too many or because they
-  /// cannot be used: names and why. Of very many, the first ones.
+  /// Names of markers that follow links but are not filtered, because there are too many or they
+  /// cannot be used, each with the reason. The list has a max length.
   const std::map<std::string, std::string>& refused() const { return refused_; }
 
-  /// How many more there are.
+  /// The number of refused markers beyond that max length.
   std::size_t moreRefused() const { return more_refused_; }
 
-  /// Another robot, or other parameters.
+  /// Takes over another robot, or other parameters.
   void adopt(std::shared_ptr<const FilteredRobot> robot);
 
-  /// To be called now and then: ends lifetimes.
+  /// Removes objects whose lifetime is over. Call it regularly.
   void expire(ros::Time now);
 
-  /// After the clock jumped back or began to run.
+  /// Call it after the clock jumped back or began to run.
   void restart(ros::Time now);
 
  private:
@@ -83,7 +83,7 @@ class HeldObjects {
   ObjectSource source_{objects_, [](const MeshRequest&) {}};
   std::shared_ptr<const FilteredRobot> robot_;
   Objects held_;
-  std::map<ObjectKey, std::string> asked_;  ///< the frame that a marker asked to follow
+  std::map<ObjectKey, std::string> asked_;  ///< the frame that a marker shall follow; "" if none
   std::map<std::string, std::string> refused_;
   std::size_t more_refused_ = 0;
   std::uint64_t requests_ = 0;

@@ -12,7 +12,7 @@ namespace link_bounds {
 namespace {
 
 constexpr char kCloudName[] = "cloud";
-/// A time of a point may be garbage where no transform moves; ros::Time has no later one [ns].
+/// Max of ros::Time [ns]. If no transform moves, the time of a point may be garbage beyond it.
 constexpr std::int64_t kLatest = 4'294'967'295'999'999'999;
 
 Distance toDistance(const std::string& name, const NearestPoint& nearest) {

@@ -12,7 +12,8 @@
 
 namespace link_bounds {
 
-/// A distance per body that has a nearest point, from `<name>` to `cloud`; sorted as `names`.
+/// One distance per body that has a nearest point, from the body to `cloud`, in the order of
+/// `names`.
 DistanceArray nearestMessage(const std_msgs::Header& header, const std::vector<std::string>& names,
                              const std::vector<std::optional<NearestPoint>>& nearest,
                              const std::vector<std::string>& incomplete);

@@ -3,7 +3,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/nodelet_plugins.xml
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 # Not by find_package: Debian's pluginlib is that of ROS 2, whose CMake files need all of ament. Its
-# headers are in folders of their names, and the last two belong to it alone.
+# headers are in folders named after their packages; only pluginlib needs the last two.
 set(nodelet_includes "")
 foreach(header nodelet/nodelet.h pluginlib/class_list_macros.hpp class_loader/class_loader.hpp
     rcpputils/shared_library.hpp rcutils/macros.h)
@@ -25,7 +25,7 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   return()
 endif()
 
-# As in programs, the compiler may rely on which function is called.
+# As in programs, the compiler may inline across functions, because nobody replaces them.
 foreach(library ${PROJECT_NAME}_world ${PROJECT_NAME}_node ${PROJECT_NAME}_cloud_filter)
   set_target_properties(${library} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${library} PRIVATE -fno-semantic-interposition)
@@ -37,6 +37,6 @@ add_dependencies(${nodelets} mesh_worker)
 target_include_directories(${nodelets} SYSTEM PRIVATE ${catkin_INCLUDE_DIRS} ${nodelet_includes})
 target_link_libraries(${nodelets} PRIVATE ${PROJECT_NAME}_flags ${PROJECT_NAME}_cloud_filter
   ${nodelet_LIBRARY} ${class_loader_LIBRARY})
-# What else the manager loads cannot call our functions by accident.
+# Other libraries in the manager cannot call our functions by accident.
 target_link_options(${nodelets} PRIVATE -Wl,--exclude-libs,ALL)
 install(TARGETS ${nodelets} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -7,14 +7,14 @@
 
 namespace link_bounds {
 
-/// From now on the first SIGINT or SIGTERM sets a flag; the second one ends the program.
+/// The first SIGINT or SIGTERM sets a flag; a second one of the same kind ends the program.
 void catchInterrupts();
 
-/// Whether the signal came. Any thread may call it.
+/// Whether SIGINT or SIGTERM came. Any thread may call it.
 bool isInterrupted();
 
-/// Says whether so many seconds have passed since this call, or `is_cancelled`. Any thread may ask
-/// it.
+/// Returns a function that says whether `seconds` have passed since this call, or `is_cancelled`
+/// returns true. Any thread may call it.
 std::function<bool()> overAfter(double seconds, std::function<bool()> is_cancelled = isInterrupted);
 
 }  // namespace link_bounds

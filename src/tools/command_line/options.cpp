@@ -15,13 +15,13 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kFirstCode = 256;  // of long options; others are letters
+constexpr int kFirstCode = 256;  // the first code of long options; smaller ones are letters
 
-/// getopt_long leaves the letter or code in optopt where it knows one.
+/// getopt_long leaves the letter or code of the option in optopt; 0 if a long name is unknown.
 std::string badOption(const char* const* argv) {
   if (optopt >= kFirstCode) return std::string(argv[optind - 1]) + ": this option takes no value";
   if (optopt > 0) {
-    // Within a word, optind is that of the word.
+    // Within a group of letters such as -ab, optind is still the index of that group.
     const char* const word = argv[optind] ? argv[optind] : argv[optind - 1];
     const bool is_joint =
         std::string(word).find(":=") != std::string::npos && word[0] == '-' && word[1] == optopt;

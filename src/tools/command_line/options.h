@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Command lines, by getopt_long.
+// Parses command lines with getopt_long.
 #pragma once
 
 #include <functional>
@@ -20,23 +20,23 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The text. Throws UsageError if it is empty.
+/// Returns `text`. Throws UsageError if it is empty.
 std::string nonEmpty(const std::string& option_name, const std::string& text);
 
-/// Nothing if the text is no finite number to its last character.
+/// std::nullopt unless the whole text is one finite number.
 std::optional<double> toNumber(const std::string& text);
 
-/// A number >= 0 of `unit`. Throws UsageError.
+/// Reads a number >= 0; `unit` is for the message of the UsageError that it throws.
 double limitOption(const std::string& option_name, const std::string& text,
                    const std::string& unit = "metres");
 
-/// Threads beyond any machine.
+/// Max of jobsOption(): more threads than any machine has.
 constexpr unsigned kMaxJobs = 1024;
 
 /// A number of threads or processes, 1 to kMaxJobs. Throws UsageError.
 unsigned jobsOption(const std::string& option_name, const std::string& text);
 
-/// The value called `name`. Throws UsageError with all names if there is none.
+/// The value called `name`. Throws UsageError with all names if there is none of that name.
 template <class Value>
 Value chosen(const std::string& option_name, const std::string& name,
              const std::map<std::string, Value>& choices) {
@@ -46,7 +46,7 @@ Value chosen(const std::string& option_name, const std::string& name,
                    joined(choices, ", ", [](const auto& choice) { return choice.first; }));
 }
 
-/// visual, collision or both. Throws UsageError.
+/// Reads "visual", "collision" or "both". Throws UsageError for any other text.
 std::string geometryOption(const std::string& option_name, const std::string& text);
 
 struct Option {
@@ -56,13 +56,13 @@ struct Option {
   const char* name;  ///< without dashes
   Take take;
   bool has_value = true;
-  bool is_repeatable = false;  ///< with a value each time; without a value, any option is
+  bool is_repeatable = false;  ///< an option without a value may always be repeated
 };
 
 /// Sets the target to true.
 Option flag(const char* name, bool& target);
 
-/// May be given several times.
+/// An option with a value that may be given several times.
 Option repeatable(const char* name, Option::Take take);
 
 /// Sets the target to read(name, value).
@@ -73,8 +73,8 @@ Option::Take into(Target& target, Read read) {
   };
 }
 
-/// In the order of the command line; -h is --help. False if --help or --version ended it. Throws
-/// UsageError. Call it once: getopt keeps state.
+/// Calls the options and `take_argument` in the order of the command line; -h is --help. Returns
+/// false if --help or --version ended it. Throws UsageError. Call it once: getopt keeps state.
 bool parseCommandLine(int argc, char** argv, const std::vector<Option>& options,
                       const std::function<void(const std::string&)>& take_argument);
 

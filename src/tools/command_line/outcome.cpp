@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whoever sees 4 also sees why, and whoever sees 3 what else is open.
+// Open questions are also reported when the exit code is that of a finding.
 #include "tools/command_line/outcome.h"
 
 #include "text/joined.h"

@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-/// Throws UsageError for two links, or two joints, that have one name as UTF-8.
+/// Throws UsageError if two of `parts` have the same name after validUtf8().
 template <class Parts>
 void checkNamesOf(const char* what, const Parts& parts) {
   std::set<std::string> names;

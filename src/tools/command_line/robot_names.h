@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of a robot in reports.
+// Checks that reports can tell the links and joints of a robot apart.
 #pragma once
 
 #include "link_bounds/robot/urdf/robot.h"

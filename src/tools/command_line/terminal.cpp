@@ -20,8 +20,9 @@ namespace {
 
 constexpr std::size_t kBarWidth = 30;
 
-/// A closed standard descriptor would be that of the next file that is opened, and warnings would
-/// be written into it. Standard output stays one that cannot be written to.
+/// Opens closed standard descriptors on /dev/null. Otherwise the next file that is opened would get
+/// the number of standard error, and warnings would be written into that file. Standard output is
+/// opened read-only, so that writing to it still fails.
 void holdStandardDescriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(descriptor, F_GETFD) == -1)
@@ -64,8 +65,8 @@ LoadProgress progressBar() {
 
 int runProgram(const std::function<int()>& program) {
   holdStandardDescriptors();
-  // Without the signals, writing to a closed pipe, or beyond the largest file that `ulimit -f`
-  // allows, is an error that is reported.
+  // With these signals ignored, writing to a closed pipe, or beyond the largest file that `ulimit
+  // -f` allows, is an error, which is reported.
   for (const int signal : {SIGPIPE, SIGXFSZ})
     std::signal(signal, SIG_IGN);
   try {

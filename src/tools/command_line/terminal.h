@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the programs say on standard error, and the end of standard output.
+// Messages and progress bars on standard error; the end of standard output.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,20 @@
 
 namespace link_bounds {
 
-/// One line, even if the text contains line breaks. It begins with the name of the program.
+/// Writes the name of the program and the text as one line, even if the text has line breaks.
 void say(const std::string& text);
 
 void warn(const std::string& text);
 
-/// Draws a bar over the line; `done` <= `total`, which is not 0. `unit` comes after the numbers.
+/// Draws a progress bar over the current line. `done` <= `total`, and `total` > 0. `unit` follows
+/// the numbers.
 void drawBar(std::size_t done, std::size_t total, const std::string& unit);
 
 void eraseBar();
 
 bool hasTerminal();
 
-/// A bar that erases itself at the end; null if standard error is no terminal.
+/// A progress bar of meshes that erases itself at the end; null if standard error is no terminal.
 LoadProgress progressBar();
 
 /// Runs a program and returns its exit code; kUnusable with the reason on standard error if it

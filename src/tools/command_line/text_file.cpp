@@ -18,10 +18,10 @@ namespace {
 /// Far above any real file; keeps an endless input from filling the memory.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
 
-/// Some editors write it before UTF-8: it is no part of the first word.
+/// The byte order mark that some editors write before UTF-8.
 constexpr std::string_view kMark = "\xef\xbb\xbf";
 
-/// By its byte order mark, or because its first character has one byte in UTF-8.
+/// Recognises UTF-16 by its byte order mark, or by a zero byte beside its first ASCII character.
 bool isUtf16(const std::string& text) {
   const std::string start = text.substr(0, 2);
   return start == "\xff\xfe" || start == "\xfe\xff" ||
@@ -58,7 +58,7 @@ std::string readText(const std::string& file, const std::string& what) {
   return text;
 }
 
-/// Standard input has no name after it has been read.
+/// Call it before readText(), which closes standard input: /dev/stdin does not exist then.
 void checkOutput(const std::string& option_name, const std::string& output,
                  const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
@@ -72,7 +72,7 @@ void checkOutput(const std::string& option_name, const std::string& output,
 bool isSameFile(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   std::error_code ignored;
-  // A relative name of a file that does not exist yet would stay as it is.
+  // weakly_canonical() leaves a relative name as it is if the file does not exist yet.
   const auto whole = [&](const std::string& name) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
   };

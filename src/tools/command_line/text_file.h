@@ -11,27 +11,26 @@
 
 namespace link_bounds {
 
-/// The text of a file or of standard input ("-"), without a byte order mark. `what` it must be,
-/// such as "a URDF". Throws UsageError with the reason.
+/// The text of a file or of standard input ("-"), without a byte order mark. `what` names the
+/// expected content in messages, such as "a URDF". Throws UsageError with the reason.
 std::string readText(const std::string& file, const std::string& what);
 
-/// An error about what the file says.
+/// An error in the content of a file; the message begins with the name of the file.
 UsageError faultIn(const std::string& file, const std::exception& fault);
 
-/// Refuses to overwrite what is read: throws UsageError if `output` is one of these files. Empty
-/// names stand for none, "-" for standard input. One file may have several names: links, and paths
-/// that begin elsewhere.
+/// Throws UsageError if `output` is one of `inputs`, also by a link or another path, so that no
+/// input is overwritten. An empty name stands for no file, "-" for standard input.
 void checkOutput(const std::string& option_name, const std::string& output,
                  const std::vector<std::string>& inputs);
 
 /// Whether two outputs are one file, which need not exist yet.
 bool isSameFile(const std::string& a, const std::string& b);
 
-/// Each input is a word for it, and its file. Throws UsageError if more than one file is standard
-/// input, which can be read only once.
+/// Each input is a pair of a name for messages and a file. Throws UsageError if more than one file
+/// is standard input ("-"), which can be read only once.
 void checkStandardInput(const std::vector<std::pair<std::string, std::string>>& inputs);
 
-/// Where relative names in that file start.
+/// The folder of `file`, where relative names in it start.
 std::string folderOf(const std::string& file);
 
 }  // namespace link_bounds

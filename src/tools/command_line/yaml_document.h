@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A file of YAML with one document. What follows a line "---" would not be read.
+// Reads YAML files of one document. Several documents are refused, because only one would be used.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -24,7 +24,7 @@ inline YAML::Node onlyDocument(const std::string& text, const std::string& file)
   return documents.empty() ? YAML::Node() : documents.front();
 }
 
-/// What a Reader of that file reads of its document. Throws UsageError if the text is no YAML.
+/// The result of Reader(file).read(document). Throws UsageError if the text is no YAML.
 template <class Reader>
 auto readYaml(const std::string& text, const std::string& file) {
   try {
@@ -34,7 +34,7 @@ auto readYaml(const std::string& text, const std::string& file) {
   }
 }
 
-/// "" if the node is none, a list or a map.
+/// The text of a scalar node; "" if the node does not exist, or is a list or a map.
 inline std::string scalar(const YAML::Node& node) {
   return node && node.IsScalar() ? node.Scalar() : "";
 }

@@ -19,13 +19,13 @@ std::size_t characterCount(const std::string& text);
 /// By RFC 4180, in valid UTF-8: in quotes if it contains a comma, a quote or a line break.
 std::string csvField(const std::string& field);
 
-/// With its quotes.
+/// A JSON string with its quotes.
 std::string jsonString(const std::string& text);
 
 /// 17 significant digits, from which the same double is read back; with a point in every locale.
 std::string exactNumber(double value);
 
-/// With as few digits as give the same double; with a point in every locale.
+/// The fewest digits from which the same double is read back; with a point in every locale.
 std::string shortestNumber(double value);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows, values and distances in the three formats.
+// Rows, values and distances as a table for people, as CSV and as JSON.
 #pragma once
 
 #include <ostream>
@@ -21,40 +21,40 @@ enum class Format { kTable, kCsv, kJson };
 template <class Table>
 using TableWriter = void (*)(const Table&, std::ostream&);
 
-/// The one for that format.
+/// The writer of `format`.
 template <class Writer>
 Writer writerFor(Format format, Writer table, Writer csv, Writer json) {
   if (format == Format::kTable) return table;
   return format == Format::kCsv ? csv : json;
 }
 
-/// Before the name of a group, where names of links and groups are mixed.
+/// Prefix of the name of a group, where names of links and groups are mixed.
 constexpr char kGroupPrefix[] = "group:";
 
-/// Names whose volume is missing or does not cover everything, each with the reason.
+/// Names of links and groups whose geometry is missing or incomplete, each with the reason.
 using Reasons = std::vector<std::pair<std::string, std::string>>;
 
 using Numbers = std::vector<double>;
 
-/// The cells of a line of the table for people: a name, then numbers or their heads.
+/// The cells of a line of the table for people: a name, then numbers or their column heads.
 using Row = std::vector<std::string>;
 
-/// Rounds for people: to micrometres, and without a minus sign before a zero.
+/// Six decimals for people, without a minus sign before a zero; nine digits from 1e9 on.
 std::string shortNumber(double value);
 Row shortRow(const std::string& name, const Numbers& numbers);
 
 /// A length in metres with its unit, to three digits, for people.
 std::string shortLength(double length);
 
-/// Aligns the first cells of rows, which are names, left and the others right.
+/// Aligns the first `names` cells of each row left and the others right.
 class Alignment {
  public:
   explicit Alignment(std::size_t names) : names_(names) {}
 
-  /// Before any line is made.
+  /// Widens the columns for `row`. Call it for all rows before the first line().
   void fit(const Row& row);
 
-  /// Without a line break.
+  /// The aligned row, without a line break.
   std::string line(const Row& row) const;
 
  private:
@@ -62,18 +62,18 @@ class Alignment {
   std::vector<std::size_t> widths_;  ///< in characters
 };
 
-/// Lines of all rows, which must be as long as the first.
+/// Writes all rows as aligned lines; the first `names` cells of each row are aligned left.
 void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t names = 1);
 
-/// For people; writes nothing if there are none.
+/// Writes a list for people; nothing if `incomplete` is empty.
 void writeIncomplete(const Reasons& incomplete, std::ostream& out);
 
 void writeCsvRow(const std::string& name, const Numbers& numbers, std::ostream& out);
 
-/// A row per name, `incomplete:NAME`, with as many empty cells as numbers stand in other rows.
+/// Writes a row `incomplete:NAME` for each name, with `numbers` empty cells behind it.
 void writeCsvIncomplete(const Reasons& incomplete, std::size_t numbers, std::ostream& out);
 
-/// Adds the group of all links, unless all of them are complete.
+/// Adds the group of all links, unless `incomplete` is empty.
 void addIncompleteGroup(Reasons& incomplete);
 
 Numbers numbersOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
@@ -82,7 +82,7 @@ Numbers numbersOf(const Aabb& box);  ///< min, max
 /// A JSON array.
 std::string jsonNumbers(const Eigen::VectorXd& numbers);
 
-/// The two members of a JSON object that are a box.
+/// The members "min" and "max" of a JSON object.
 std::string jsonCorners(const Aabb& box);
 
 /// A JSON object on one line. `pose` has pairs of a joint and its value.
@@ -105,7 +105,7 @@ std::string argumentsOf(const Pose& pose) {
 /// BOX, HULL or MESH.
 const char* toText(DistanceLevel level);
 
-/// The members of a JSON object. `more`, which begins with a comma, stands behind the distances.
+/// Members of a JSON object about two bodies. `more` begins with a comma and follows the distances.
 std::string jsonMembers(const std::string& first, const std::string& second,
                         const BodyDistance& distance, const std::string& more = "");
 

@@ -32,8 +32,8 @@ void writeToOutput(const void* bytes, std::size_t count) {
   }
 }
 
-/// The limit of memory grows with each file that is opened: a mesh may keep its vertices in
-/// another.
+/// Raises the memory limit with each file that is opened: a mesh file may keep its vertices in
+/// another file.
 void reply(const MeshFile& file, std::uint64_t max_bytes) {
   std::uint64_t file_bytes = 0;
   const auto on_bytes = [&file_bytes](std::uint64_t bytes) {
@@ -74,7 +74,7 @@ int run(char** argv) {
   _exit(0);
 }
 
-/// For whoever starts it by hand.
+/// Answers a user who starts this program by hand.
 int answerUser(int argc, char** argv) {
   const std::string argument = argc == 2 ? argv[1] : "";
   if (argument == "--version") {

@@ -31,7 +31,8 @@ def center(box):
 
 
 def length(low, high):
-    """Rounded up, so that half of it on both sides of the center contains the box."""
+    """The size along one axis [m], rounded up: half of it on both sides of the center
+    contains the box."""
     middle = (low + high) / 2
     result = 2 * max(high - middle, middle - low)
     while middle - result / 2 > low or middle + result / 2 < high:
@@ -59,26 +60,26 @@ def to_vision(array, messages):
         messages.BoundingBox3D(center=center(box), size=size(box)) for box in array.boxes])
 
 
-# --type: package, its message, and what makes that of an array
+# value of --type: package, name of its message, function that makes the message from an array
 TYPES = {'jsk': ('jsk_recognition_msgs', 'BoundingBoxArray', to_jsk),
          'vision': ('vision_msgs', 'BoundingBox3DArray', to_vision)}
 
 
 def version():
-    """That of package.xml, without rospkg's manifest: that would ask for the data of rosdep."""
+    """The version in package.xml. rospkg's manifest would need the data of rosdep."""
     folder = rospkg.RosPack().get_path('link_bounds')
     return ElementTree.parse(os.path.join(folder, 'package.xml')).findtext('version')
 
 
 def parse_arguments():
-    """Before the node connects to ROS, because one that registers ends the running one of its
-    name."""
+    """Call it before the node connects to ROS: a node that registers ends a running node of the
+    same name."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--version', action='store_true', help='print the version and exit')
     parser.add_argument('--type', choices=TYPES, help='messages of jsk_recognition_msgs or '
                         'vision_msgs; that package has to be installed')
-    # In one line, without the usage.
+    # Print errors in one line, without the usage.
     parser.error = lambda text: parser.exit(
         2, f'{parser.prog}: {text}; write parameters as _NAME:=VALUE, or see --help\n')
     arguments = parser.parse_args(rospy.myargv()[1:])

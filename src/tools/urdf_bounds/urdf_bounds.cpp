@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a URDF file and joint values to boxes, or other volumes, on standard output.
+// Reads a URDF file and joint values, and prints boxes, other volumes, distances or proofs.
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -25,7 +25,7 @@ namespace link_bounds {
 
 namespace {
 
-/// None of these files is to be overwritten.
+/// Throws UsageError if an output would overwrite one of the inputs.
 void checkOutputs(const UrdfBoundsOptions& options, const std::vector<std::string>& inputs) {
   checkOutput("--series", options.series.value_or(""), inputs);
   checkOutput("--certificate", options.certificate.value_or(""), inputs);
@@ -42,13 +42,14 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   return bounded;
 }
 
-/// Names the links that no verdict is about, although they have geometry.
+/// Names the links that have only geometry of the other kind, so that no verdict is about them.
 void sayLeftOut(const Robot& robot, const UrdfBoundsOptions& options) {
   const std::string note = leftOutNote(robot, selectionOf(options.geometry));
   if (!note.empty()) say("note: " + note + "; --geometry both takes them, too");
 }
 
-/// Of this program alone: the peak that getrusage gives includes the process that started it.
+/// Prints the peak of this program alone; the peak of getrusage includes the process that started
+/// it.
 void reportPeak() {
   std::ifstream status("/proc/self/status");
   for (std::string entry; status >> entry;) {
@@ -83,7 +84,7 @@ void reportMemory(const BoundedRobot& bounded) {
   reportPeak();
 }
 
-/// Boxes alone are printed without a verdict, so nothing is open; distances prove something.
+/// Boxes alone are printed without a verdict, so they leave no question open; distances may.
 Outcome outcomeOf(const Reasons& incomplete, const std::optional<DistanceTable>& distances) {
   Outcome outcome;
   outcome.lost_geometry = !incomplete.empty();
@@ -110,7 +111,7 @@ DistanceTable linkDistances(PosedRobot& posed, const BoundedRobot& bounded, doub
 
 /// Boxes and distances of one pose.
 Outcome runPose(const UrdfBoundsOptions& options, const Robot& robot) {
-  // Before the meshes, which take longest, so that a wrong name is refused at once.
+  // Before loading the meshes, which takes the longest, so that a wrong name is refused at once.
   const Robot simple = withSimpleJoints(robot);
   const std::vector<double> values = valuesFor(simple, options.joints);
   const std::vector<Eigen::Isometry3d> poses = linkPoses(simple, values);
@@ -129,7 +130,7 @@ Outcome runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   return outcomeOf(incomplete, distances);
 }
 
-/// What --objects names.
+/// Loads the file of --objects; returns no objects without that option.
 PathObjects loadObjects(const UrdfBoundsOptions& options) {
   PathObjects objects;
   if (!options.objects) return objects;
@@ -203,7 +204,7 @@ int run(const UrdfBoundsOptions& options) {
   const bool has_verdict = options.report != Report::kPose || options.distances;
   Outcome outcome = runReport(options, robot);
   if (has_verdict) sayLeftOut(robot, options);
-  // What they are about was left out, or may have been.
+  // A warning may mean that some geometry was left out.
   outcome.lost_geometry = outcome.lost_geometry || !robot.warnings.empty();
   if (has_verdict) outcome.addOpen("warnings of the URDF", robot.warnings.size());
   return finishOutput() ? exitCode(outcome, options.demand) : kUnusable;

@@ -14,12 +14,12 @@ namespace link_bounds {
 namespace {
 
 constexpr std::string_view kVersionLine = kBagVersionLine;
-constexpr std::uint64_t kStepsPerGlance = 256;       // at whether it is interrupted
+constexpr std::uint64_t kStepsPerGlance = 256;       // between two checks for an interrupt
 constexpr int kMaxLosses = 20;                       // lines for one file
 constexpr std::uint64_t kNextHeaderSize = 512;       // bytes, typical
 constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;   // bytes, as in record.cpp
-constexpr std::uint64_t kMaxReadInVain = 256 << 20;  // bytes, beside twice the file
-constexpr std::int64_t kMinJumpBack = 500'000'000;   // ns; what comes late goes back by less
+constexpr std::uint64_t kMaxReadInVain = 256 << 20;  // bytes, in addition to twice the file
+constexpr std::int64_t kMinJumpBack = 500'000'000;   // ns; messages that come late go back by less
 const char* const kCopyAgain = "; copy it again from where it was recorded";
 
 std::string bytesText(std::uint64_t begin, std::uint64_t end) {
@@ -28,7 +28,7 @@ std::string bytesText(std::uint64_t begin, std::uint64_t end) {
 
 // Whether another record can begin after this one. If not, its length may be wrong.
 bool canFollow(Bytes& bytes, const Record& record) {
-  // Both at once, if not large: a file has one block in memory.
+  // Loads both records at once, unless they are large: a file has only one block in memory.
   const std::uint64_t size =
       std::min(record.data_size + kNextHeaderSize, bytes.size() - record.data);
   if (size <= kMaxSizeAtOnce) bytes.at(record.data, size);
@@ -100,7 +100,7 @@ bool BagFile::next(BagMessage& message) {
   return false;
 }
 
-/// After a jump back of the clock, what was recorded before it tells no end.
+/// After a backward jump of the clock, forgets later times, which say nothing about the end.
 void BagFile::noteTime(const Record& record) {
   std::int64_t& last = last_times_.try_emplace(record.connection, record.time).first->second;
   const bool jumps_back = last > record.time + kMinJumpBack;
@@ -116,7 +116,8 @@ std::int64_t BagFile::lastTime() const {
   return last;
 }
 
-// The rest of the chunk has no index. The message behind it is of the next one, which has.
+// The index does not cover the rest of this chunk, so its messages are read. The first message
+// behind it is in the next chunk, which the index covers.
 bool BagFile::goesBackTo(std::int64_t time) {
   const std::uint32_t chunk = chunks_;
   const bool is_later = isLaterByIndex(time, chunk);
@@ -126,8 +127,9 @@ bool BagFile::goesBackTo(std::int64_t time) {
   return false;
 }
 
-// Whether the index has all chunks, and none behind the first ones has both a message that is
-// wanted and one of that time or an earlier one. They need not be the same one.
+// Whether the index shows that all wanted messages after the first `chunk` chunks are later than
+// `time`: it has all chunks, and none of these has a wanted topic and a message of that time or
+// earlier.
 bool BagFile::isLaterByIndex(std::int64_t time, std::uint32_t chunk) {
   std::uint32_t infos = 0;
   Record record;
@@ -141,7 +143,8 @@ bool BagFile::isLaterByIndex(std::int64_t time, std::uint32_t chunk) {
   return infos == chunk_count_ && infos > 0;
 }
 
-// Of the info of a chunk. What is not announced may be wanted.
+// Whether a chunk may have wanted messages. `info` is its record in the index. A connection that is
+// not announced may be wanted.
 bool BagFile::hasWanted(const Record& info) {
   const std::uint8_t* const data =
       info.data_size > kMaxChunkSize ? nullptr : bytes_->at(info.data, info.data_size);
@@ -152,14 +155,14 @@ bool BagFile::hasWanted(const Record& info) {
   return !data;
 }
 
-// Stays true.
+// Remains true once it was true.
 bool BagFile::isInterrupted(std::uint64_t position) {
   looked_at_ = position;
   was_interrupted_ |= is_interrupted_();
   return was_interrupted_;
 }
 
-// Reads one record. Whether it is a message that is wanted.
+// Reads one record. Returns whether it is a wanted message.
 bool BagFile::step(BagMessage& message) {
   const bool in_chunk = !chunk_.data.empty();
   Bytes& bytes = in_chunk ? static_cast<Bytes&>(chunk_) : *bytes_;
@@ -190,7 +193,7 @@ bool BagFile::handle(Bytes& bytes, const Record& record, BagMessage& message, bo
     return true;
   }
   if (record.op == RecordOp::kConnection && !connections_.add(bytes, record)) return false;
-  if (!canFollow(bytes, record)) return false;  // takes the texts of the record
+  if (!canFollow(bytes, record)) return false;  // invalidates the texts of the record
   if (record.op == RecordOp::kMessage && !handleMessage(bytes, record, message, is_message))
     return false;
   (in_chunk ? chunk_position_ : position_) = record.end();
@@ -232,8 +235,8 @@ const Connection* BagFile::findConnection(std::uint32_t number) {
   return connections_.find(number);
 }
 
-// Lengths in the header of the chunk are not used: its recorder writes them last, and compressed
-// data says itself where it ends.
+// The lengths in the header of the chunk are not trusted: the recorder writes them last. Compressed
+// data shows its own end.
 void BagFile::openChunk(const Record& record) {
   ++chunks_;
   if (record.compression == "none") {
@@ -251,7 +254,7 @@ void BagFile::openChunk(const Record& record) {
     position_ = end;
     return;
   }
-  // Further chunks may lie inside of the data, but bytes are not read again for ever.
+  // The data may contain further chunks, so they are searched there, but not without limit.
   read_in_vain_ += chunk.consumed;
   const bool again = read_in_vain_ < kMaxReadInVain + 2 * bytes_->size();
   skipDamage(textOf(chunk.state), chunk.state == ChunkState::kCut, again ? position_ + 1 : end);
@@ -277,7 +280,7 @@ void BagFile::leaveDamagedChunk() {
          " is damaged: messages are missing" + kCopyAgain);
 }
 
-// A record that does not fit into the file has a wrong length if another one comes after it.
+// A record that seems to be cut has only a wrong length if another record comes after it.
 void BagFile::skipDamage(const std::string& what, bool is_cut, std::uint64_t next) {
   const std::uint64_t begin = position_;
   position_ = findRecord(*bytes_, next, is_compressed_,
@@ -290,7 +293,7 @@ void BagFile::skipDamage(const std::string& what, bool is_cut, std::uint64_t nex
   }
 }
 
-// The index needs not be complete: no message is missing then.
+// A cut within the index is no loss, because no message is missing.
 void BagFile::loseRest(std::uint64_t begin) {
   position_ = bytes_->size();
   if (index_position_ == 0 || begin < index_position_) loseEnd();

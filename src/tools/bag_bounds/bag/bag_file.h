@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The messages of one bag, read from its begin to its end.
 //
-// Of uncompressed chunks only the records inside are read: their own header is not needed, so that
-// one that was never completed does not matter. A compressed chunk is decompressed into memory.
+// In uncompressed chunks, only the records inside are read: the header of the chunk is not needed,
+// so one that was never completed does no harm. A compressed chunk is decompressed into memory.
 // After damage, reading goes on at the next record.
 #pragma once
 
@@ -26,8 +26,8 @@ namespace link_bounds {
 
 class BagFile {
  public:
-  /// `name` is for messages. Throws std::runtime_error if these are not the bytes of a bag that can
-  /// be read. What it refers to must outlive it.
+  /// `name` is for messages. Throws std::runtime_error if `bytes` are no bag that can be read. All
+  /// references must outlive this.
   BagFile(
       const std::string& name, std::unique_ptr<Bytes> bytes, const std::set<std::string>& topics,
       std::vector<std::string>& losses, ChunkThreads& threads,
@@ -36,14 +36,14 @@ class BagFile {
   /// The next message; false after the last one, or if interrupted.
   bool next(BagMessage& message);
 
-  /// Of the last messages of all connections since the clock jumped back the latest time [ns].
+  /// The latest of the last times of all connections [ns], without times before a backward jump.
   std::int64_t lastTime() const;
 
-  /// Whether a later message has that time or an earlier one, by the index where there is one.
-  /// Reads as far as that takes: nothing can be read after it.
+  /// Whether a later message has this time or an earlier one. Uses the index if there is one, and
+  /// reads as far as necessary: next() must not be called any more.
   bool goesBackTo(std::int64_t time);
 
-  /// As far as the file has been read, also within a compressed chunk.
+  /// How far the file has been read [bytes], also within a compressed chunk.
   std::uint64_t position() const { return std::max(position_, looked_at_); }
   std::uint64_t size() const { return bytes_->size(); }
 
@@ -72,7 +72,7 @@ class BagFile {
   std::vector<std::string>& losses_;
   std::function<bool()> is_interrupted_;
   bool was_interrupted_ = false;
-  std::uint64_t looked_at_ = 0;  ///< in the file, by what may be interrupted
+  std::uint64_t looked_at_ = 0;  ///< position in the file at the last check for an interrupt
   std::uint64_t steps_ = 0;
   int loss_count_ = 0;
   std::uint64_t position_ = 0;  ///< in the file

@@ -58,7 +58,7 @@ bool BagReader::next(BagMessage& message) {
   return last_;
 }
 
-/// What is lost behind is not lost for those who want no more messages.
+/// Drops the losses that it finds: they concern messages that the caller does not want.
 bool BagReader::goesBackTo(std::int64_t time) {
   const std::vector<std::string> losses = losses_;
   const bool goes_back = std::any_of(

@@ -35,10 +35,10 @@ class ChunkThreads;
 /// such a bag (scripts/bench bag, Debian 12).
 class BagReader {
  public:
-  /// Only messages of these topics; of all topics if there are none. Throws std::runtime_error if a
-  /// file cannot be read at all, or is given twice. `is_interrupted` is called now and then while
-  /// next() looks for a message, also within a compressed chunk; true ends the reading. So many
-  /// threads unpack compressed chunks; the messages are the same with any number.
+  /// Reads only messages of `topics`; of all topics if there are none. Throws std::runtime_error if
+  /// a file cannot be read at all, or is given twice. `is_interrupted` is called regularly while
+  /// next() searches for a message, also within a compressed chunk; true ends the reading.
+  /// `threads` unpack compressed chunks; the messages do not depend on their number.
   BagReader(
       const std::vector<std::string>& files, const std::set<std::string>& topics,
       const std::function<bool()>& is_interrupted = [] { return false; }, unsigned threads = 1);
@@ -46,26 +46,25 @@ class BagReader {
   BagReader(const BagReader&) = delete;
   BagReader& operator=(const BagReader&) = delete;
 
-  /// The next message; false after the last one, or if interrupted. The messages of one file come
-  /// in its own order: where their times go back, the clock has jumped. Those of several files are
-  /// merged by time.
+  /// The next message; false after the last one, or if interrupted. The messages of one file keep
+  /// their order: if times go back, the clock has jumped. Several files are merged by time.
   bool next(BagMessage& message);
 
-  /// To be called when all times from here on should be later: whether a file goes back to that
-  /// time or an earlier one. Nothing can be read after it.
+  /// Whether a file goes back to this time or an earlier one, although all further messages should
+  /// be later. next() must not be called any more.
   bool goesBackTo(std::int64_t time);
 
-  /// After next() has returned false: when the bags end [ns], by all their topics. The least number
-  /// if they have no message.
+  /// Time of the last message of any topic [ns], after next() has returned false. The min of its
+  /// type if there is no message.
   std::int64_t endTime() const;
 
-  /// Whether next() has ended before the last message.
+  /// Whether an interrupt ended next() before the last message.
   bool wasInterrupted() const { return was_interrupted_; }
 
   /// How much has been read, 0 to 1, by bytes of the files.
   double progress() const;
 
-  /// What could not be read so far, a line each: file, place, loss, remedy.
+  /// Parts that could not be read so far, one line each: file, place, loss, remedy.
   const std::vector<std::string>& losses() const { return losses_; }
 
  private:
@@ -75,7 +74,7 @@ class BagReader {
   std::vector<std::string> losses_;
   std::unique_ptr<ChunkThreads> threads_;
   std::vector<Source> sources_;
-  Source* last_ = nullptr;  ///< gave the last message
+  Source* last_ = nullptr;  ///< the source of the last message
   bool has_begun_ = false;
   bool was_interrupted_ = false;
 };

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kChunkSize = 768 << 10;   // bytes, as rosbag
 constexpr std::uint32_t kBagHeaderSize = 4096;  // bytes, as rosbag
-// The number of things.
 template <class Things>
 std::uint32_t countOf(const Things& things) {
   return static_cast<std::uint32_t>(things.size());
@@ -50,7 +49,7 @@ void BagWriter::writeChunk() {
   put(withSize(chunk_));
   for (auto& [topic, entries] : index_) {
     const std::uint32_t count = countOf(entries);
-    // Readers search it for a time. Where the clock went back, messages are not in its order.
+    // Readers search the index for a time. After a backward jump, messages are not in that order.
     std::stable_sort(entries.begin(), entries.end(),
                      [](const auto& a, const auto& b) { return a.time < b.time; });
     std::string data;
@@ -82,7 +81,7 @@ void BagWriter::writeChunkInfo(const ChunkInfo& info) {
   put(withSize(data));
 }
 
-// Filled up to its fixed size, without the two lengths, so that it can be written again at the end.
+// Padded to a fixed size (without the two lengths), so that close() can overwrite the header.
 void BagWriter::writeBagHeader(std::uint64_t index_position) {
   const std::string bytes = bagHeader(index_position, countOf(connections_), countOf(chunks_));
   put(bytes + withSize(std::string(kBagHeaderSize + 4 - bytes.size(), ' ')));

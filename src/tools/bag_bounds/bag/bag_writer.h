@@ -14,8 +14,8 @@
 
 namespace link_bounds {
 
-/// Unlike rosbag's own writer it keeps an index entry for each chunk, not for each message: 10
-/// hours of 100 messages of 5 kB a second need 3 MB.
+/// Unlike rosbag's own writer, keeps an index entry per chunk in memory, not per message: ten hours
+/// of 100 messages per second, 5 kB each, take 3 MB.
 class BagWriter {
  public:
   /// Replaces a file of that name. All functions throw std::runtime_error where writing fails.
@@ -23,10 +23,10 @@ class BagWriter {
   BagWriter(const BagWriter&) = delete;
   BagWriter& operator=(const BagWriter&) = delete;
 
-  /// The number to write messages of this topic with. Once for each topic and publisher.
+  /// Returns the number of the topic for write(). Call it once for each topic and publisher.
   std::uint32_t addTopic(const BagTopic& topic);
 
-  /// A serialised message, recorded at `time` [ns], 0 <= time < 2^32 s.
+  /// Writes a serialised message, recorded at `time` [ns], 0 <= time < 2^32 s.
   void write(std::uint32_t topic, std::int64_t time, const std::uint8_t* data, std::uint32_t size);
 
   /// Writes the index, without which the file counts as one that was cut.
@@ -54,7 +54,7 @@ class BagWriter {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::uint64_t position_ = 0;
   std::vector<std::string> connections_;  ///< the record of each topic
-  std::string chunk_;                     ///< the records of the one that is being filled
+  std::string chunk_;                     ///< records of the chunk that is being filled
   std::map<std::uint32_t, std::vector<IndexEntry>> index_;  ///< of that chunk
   std::vector<ChunkInfo> chunks_;
 };

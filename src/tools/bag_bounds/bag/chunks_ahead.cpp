@@ -15,8 +15,8 @@ constexpr std::size_t kPerThread = 2;           // chunks, so that no thread wai
 constexpr std::size_t kMaxInput = 64U << 20;    // bytes of all chunks
 constexpr std::size_t kMaxOutput = 256U << 20;  // bytes of all chunks
 constexpr std::size_t kMaxChunkInput = 16U << 20;
-constexpr int kRecordsAtOnce = 10'000;            // that are no chunks, such as index records
-constexpr std::chrono::milliseconds kGlance{20};  // at whether it is interrupted
+constexpr int kRecordsAtOnce = 10'000;            // other records at once, such as index records
+constexpr std::chrono::milliseconds kGlance{20};  // between two checks for an interrupt
 
 }  // namespace
 
@@ -31,7 +31,7 @@ ChunkThreads::~ChunkThreads() {
     thread.join();
 }
 
-/// One chunk of each file is always possible, so that a file that waits does not stop the others.
+/// Always allows one chunk per file, so that a file that waits does not stop the others.
 bool ChunkThreads::hasRoom(std::size_t chunks_of_file) const {
   const bool is_full = chunks_ >= kPerThread * wanted_ || input_size_ >= kMaxInput;
   return wanted_ > 0 && (chunks_of_file == 0 || !is_full);
@@ -68,7 +68,7 @@ bool ChunkThreads::wait(const Chunk& chunk, const std::function<bool()>& is_inte
   return true;
 }
 
-/// The output of one that is not done counts until it is.
+/// The output of a chunk counts until it is done, even if it is released before.
 void ChunkThreads::release(const ChunkPtr& chunk) {
   --chunks_;
   input_size_ -= chunk->input.data.size();
@@ -102,7 +102,7 @@ void ChunkThreads::run() {
   }
 }
 
-/// If something fails, the reader does it again, and fails itself.
+/// If this fails, the reader unpacks the chunk again, and reports the failure.
 void ChunkThreads::unpack(Chunk& chunk) {
   const auto is_too_much = [&](std::uint64_t) {
     output_size_ += chunk.output.size() - chunk.counted;
@@ -130,7 +130,7 @@ void ChunksAhead::plan(Bytes& bytes, std::uint64_t position) {
     position_ = record.end();
     if (record.op != RecordOp::kChunk || record.compression == "none") continue;
     if (record.data_size == 0 || record.data_size > kMaxChunkInput) continue;
-    const std::string compression(record.compression);  // of the bytes that at() replaces
+    const std::string compression(record.compression);  // a copy, because at() replaces the bytes
     const std::uint8_t* const data = bytes.at(record.data, record.data_size);
     if (!data) return;
     auto chunk = threads_.start(compression, data, record.data_size);

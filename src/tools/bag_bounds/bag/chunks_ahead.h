@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Compressed chunks are unpacked on other threads before they are read.
+// Unpacks compressed chunks on other threads before they are read.
 //
-// Only good chunks are: they give the same bytes on any thread. What is damaged, cut or very large
-// is left to the reader, which says what is wrong with it.
+// The reader takes only good chunks from here: they give the same bytes on any thread. It unpacks
+// damaged, cut or very large ones itself and reports what is wrong with them.
 #pragma once
 
 #include <atomic>
@@ -31,28 +31,28 @@ class ChunkThreads {
     MemoryBytes input;
     std::vector<std::uint8_t> output;
     ChunkData data{ChunkState::kInterrupted, 0};
-    std::size_t counted = 0;   ///< of the output, in output_size_
+    std::size_t counted = 0;   ///< bytes of the output that output_size_ includes
     bool is_done = false;      ///< the members above then belong to the reader
-    bool is_released = false;  ///< this one and is_done: guarded by mutex_
+    bool is_released = false;  ///< release() was called; guarded by mutex_, as is_done
   };
   using ChunkPtr = std::shared_ptr<Chunk>;
 
-  /// They start with the first chunk. No chunk is unpacked ahead with fewer than two.
+  /// The threads start with the first chunk. With fewer than two, no chunk is unpacked ahead.
   explicit ChunkThreads(unsigned threads) : wanted_(threads < 2 ? 0 : threads) {}
   ~ChunkThreads();
   ChunkThreads(const ChunkThreads&) = delete;
   ChunkThreads& operator=(const ChunkThreads&) = delete;
 
-  /// Whether there is room for another chunk of a file that has so many.
+  /// Whether there is room for another chunk of a file that already has `chunks_of_file`.
   bool hasRoom(std::size_t chunks_of_file) const;
 
-  /// Null if no thread could be started.
+  /// Begins to unpack a chunk. Null if no thread could be started.
   ChunkPtr start(std::string_view compression, const std::uint8_t* data, std::size_t size);
 
-  /// False if `is_interrupted`, which is asked now and then, said so.
+  /// Waits until the chunk is done. False if `is_interrupted`, which is called regularly, is true.
   bool wait(const Chunk& chunk, const std::function<bool()>& is_interrupted);
 
-  /// To be called once for each chunk.
+  /// Call it once for each chunk that was started.
   void release(const ChunkPtr& chunk);
 
  private:
@@ -82,8 +82,8 @@ class ChunksAhead {
   /// Begins to unpack chunks whose records begin at `position` or later.
   void plan(Bytes& bytes, std::uint64_t position);
 
-  /// The good chunk whose data begins at `begin`, as decompress() gives it. False if it was not
-  /// unpacked ahead, or if it was interrupted.
+  /// Gives the chunk whose data begins at `begin`, as decompress() does. False if it was not
+  /// unpacked ahead, if it is not good, or if it was interrupted.
   bool take(std::string_view compression, std::uint64_t begin, std::vector<std::uint8_t>& output,
             std::uint64_t& consumed, const std::function<bool()>& is_interrupted);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a bag says about its connections: a topic and a publisher each.
+// The connections of a bag: a topic and a publisher each.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,14 @@ struct Connection {
 
 class Connections {
  public:
-  /// Messages of these topics are wanted; of all if there are none. They must outlive this.
+  /// `topics` are the wanted ones; all topics are wanted if it is empty. It must outlive this.
   explicit Connections(const std::set<std::string>& topics) : topics_(topics) {}
 
   /// Null if it has not been announced.
   const Connection* find(std::uint32_t number) const;
 
-  /// Takes the record of a connection. Where a number is announced again, it is the same one. False
-  /// if the record is damaged.
+  /// Adds the connection of a record. A number that is announced again is the same connection.
+  /// False if the record is damaged.
   bool add(Bytes& bytes, const Record& record);
 
  private:

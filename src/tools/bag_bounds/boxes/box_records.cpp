@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares each box with what is recorded of its name.
+// Compares each box with the record of its name.
 #include "tools/bag_bounds/boxes/box_records.h"
 
 #include <algorithm>
@@ -35,7 +35,8 @@ void endGap(BoxRecord& record, std::int64_t now) {
   record.gap.reset();
 }
 
-/// What was placed is covered since its stamp. What never was is not compared at all.
+/// An object that was placed counts as covered since its stamp. An object that never was placed is
+/// not compared at all, so its record is partial.
 void endWait(BoxRecord& record, bool was_placed) {
   const std::int64_t waited = std::exchange(record.waited, 0);
   if (was_placed) {
@@ -47,7 +48,7 @@ void endWait(BoxRecord& record, bool was_placed) {
   record.waiting.reset();
 }
 
-/// Another marker may come while one waits. True if one waits now.
+/// Begins and ends waits for tf. Another marker may come while one waits. True if one waits now.
 template <class GetReason>
 bool takeWait(BoxRecord& record, const LiveObject& object, const GetReason& reason) {
   const bool waits = object.problem == TransformProblem::kWaiting;
@@ -59,7 +60,7 @@ bool takeWait(BoxRecord& record, const LiveObject& object, const GetReason& reas
   return true;
 }
 
-/// Before its first box a name has no gap.
+/// Adds a box or a gap. There is no gap before the first box of a name.
 template <class GetReason>
 void add(BoxRecord& record, const BoxState& state, std::int64_t now, double timeout, bool waits,
          const GetReason& reason) {
@@ -85,7 +86,7 @@ void add(BoxRecord& record, const BoxState& state, std::int64_t now, double time
   }
 }
 
-/// In which share of the time in which the object was there it had a box.
+/// Share of its time in which the object had a box, 0 to 1.
 double shareOf(const BoxRecord& object) {
   if (object.time > 0)
     return static_cast<double>(object.covered) / static_cast<double>(object.time);
@@ -130,7 +131,7 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
   return has_changed;
 }
 
-/// Null if the record has no place.
+/// Null if there are too many objects.
 BoxRecord* BoxRecords::recordOf(const SceneBody& body) {
   if (body.link) return &links_[*body.link];
   ObjectKey key = *body.key;
@@ -146,7 +147,7 @@ BoxRecord* BoxRecords::recordOf(const SceneBody& body) {
   return nullptr;
 }
 
-/// An object is there from its first marker until it is deleted.
+/// Adds the time since the last call to all objects that were there.
 void BoxRecords::passTo(std::int64_t now) {
   const std::int64_t passed = std::max<std::int64_t>(now - last_, 0);
   for (BoxRecord* object : present_) {

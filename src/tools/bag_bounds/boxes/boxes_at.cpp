@@ -7,7 +7,7 @@
 namespace link_bounds {
 
 void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
-  // Later tf has forgotten it.
+  // After that time, tf has forgotten the poses at the stamp.
   if (!has_begun_ || missing_ == 0 || now - stamp_ > EdgeHistory::kLength) return;
   const TransformBuffer::Frame fixed = *scene.frames.fixedFrame();
   for (Body& body : bodies_) {
@@ -25,7 +25,7 @@ void BoxesAt::begin(const Scene& scene, const TransformBuffer& tf) {
   has_begun_ = true;
   scene.forEach([&](const SceneBody& body) {
     const bool waits = body.object && body.object->problem == TransformProblem::kWaiting;
-    // Until its stamp it is where a former one placed it.
+    // Before its stamp, it is still where its former marker placed it.
     const bool stands = waits && body.state.box && body.object->stamp > stamp_;
     if (waits && !stands && body.object->content->isBounded()) {
       const auto& content = body.object->content;

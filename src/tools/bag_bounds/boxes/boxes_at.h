@@ -19,21 +19,21 @@ struct BoxAt {
   std::string problem;     ///< why there is no box; "" if there is one
 };
 
-/// Poses at a stamp are known when the next transforms have come. Objects are those that are there
-/// when record time reaches the stamp; one that waits for tf is where tf places it later.
+/// Poses at a stamp are known only after the next transforms. Objects are those that exist when
+/// record time reaches the stamp. An object that waits for tf is where tf places it later.
 class BoxesAt {
  public:
   explicit BoxesAt(std::int64_t stamp) : stamp_(stamp) {}
 
-  /// To be called when record time is about to pass the stamp, after all messages of it, or the
-  /// bags end later.
+  /// Call it after all messages up to the stamp, when record time is about to pass the stamp, or
+  /// when the bags end.
   void begin(const Scene& scene, const TransformBuffer& tf);
   bool hasBegun() const { return has_begun_; }
 
-  /// To be called after each message and tick, at the record time [ns].
+  /// Call it after each message and tick, at the record time `now` [ns].
   void look(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
 
-  /// To be called before tf forgets: what is not known by then stays so.
+  /// Call it before tf forgets: poses that are not known by then stay unknown.
   void endMotions() { missing_ = 0; }
 
   std::int64_t stamp() const { return stamp_; }
@@ -46,9 +46,9 @@ class BoxesAt {
     std::string name;
     const BoundedLink* link;
     std::shared_ptr<const ObjectContent> object;  ///< null for links
-    std::string frame;  ///< its number may pass to another one before the pose is known
+    std::string frame;  ///< by name, because tf may reuse its number before the pose is known
     Eigen::Affine3d frame_from_body;
-    std::int64_t at;  ///< when it is placed [ns]
+    std::int64_t at;  ///< stamp of its pose [ns]
     std::optional<Aabb> box;
     std::int64_t stamp;
   };
@@ -58,7 +58,7 @@ class BoxesAt {
   std::int64_t stamp_;
   bool has_begun_ = false;
   std::vector<Body> bodies_;
-  std::vector<BoxAt> boxless_;  ///< objects that were there without a box, for another reason
+  std::vector<BoxAt> boxless_;  ///< objects without a box for another reason than tf
   std::size_t missing_ = 0;
 };
 

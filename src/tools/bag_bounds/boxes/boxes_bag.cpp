@@ -25,7 +25,7 @@ BagTopic boxesTopic() {
           true};
 }
 
-/// A recorded transform of stamp 0 got that of kStampOfZero, so that it is no static one.
+/// Restores the stamp 0 of recorded transforms, for which kStampOfZero stands.
 void restoreZero(ros::Time& stamp) {
   if (stamp == kStampOfZero) stamp = ros::Time();
 }
@@ -35,7 +35,7 @@ void restoreZero(ros::Time& stamp) {
 BoxesBag::BoxesBag(const std::string& file)
     : writer_(file), topic_(writer_.addTopic(boxesTopic())) {}
 
-/// rosbag play refuses messages of time 0.
+/// Writes at 1 ns or later: rosbag play refuses messages of time 0.
 void BoxesBag::write(const Scene& scene, std::int64_t now) {
   fillBoxes(scene, message_);
   restoreZero(message_.header.stamp);

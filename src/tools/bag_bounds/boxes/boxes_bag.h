@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The bag of ~boxes that --out names.
+// Writes ~boxes to the bag of --out.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace link_bounds {
 
 class BoxesBag {
  public:
-  /// Functions throw std::runtime_error where writing fails.
+  /// All functions throw std::runtime_error if writing fails.
   explicit BoxesBag(const std::string& file);
 
-  /// The message that the node would publish of this scene, at its record time [ns].
+  /// Writes the message that the node would publish for this scene, at the record time `now` [ns].
   void write(const Scene& scene, std::int64_t now);
 
   void close() { writer_.close(); }

@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-/// What stands before "/LINK" in the names of frames that tf has.
+/// The prefixes P of all frames P/LINK that tf has.
 std::set<std::string> prefixesOf(const std::string& link, const TransformBuffer& tf) {
   std::set<std::string> prefixes;
   for (TransformBuffer::Frame frame = 0; frame < tf.size(); ++frame) {
@@ -61,7 +61,8 @@ void Coverage::add(Link& link, TransformBuffer::Frame frame, const Scene& scene,
   link.covered += std::exchange(link.open_covered, 0);
 }
 
-/// How long ago the frame that moves a link began, its own one or the next one above static ones.
+/// The time since the first transform of the frame that moves a link: its own frame, or the next
+/// frame above static ones.
 std::int64_t Coverage::carrierTime(TransformBuffer::Frame frame, const Scene& scene,
                                    const TransformBuffer& tf, std::int64_t now) const {
   const auto carrier = climb(tf, frame, [&tf](auto at) { return !tf.isStatic(at); });
@@ -84,7 +85,7 @@ std::vector<double> Coverage::shares() const {
   return result;
 }
 
-/// Where nothing moves, a static transform came late.
+/// Notes the delay of a first box. If no frame moves, a static transform came late.
 void Coverage::lookForBox(Link& link, TransformBuffer::Frame frame, const Scene& scene,
                           const TransformBuffer& tf, std::int64_t now) {
   const TransformBuffer::Frame fixed = *scene.frames.fixedFrame();

@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kMaxNames = 50'000;  // of objects that come and go; then all are new
+constexpr std::size_t kMaxNames = 50'000;  // of objects; beyond it, all names count as new
 
 }  // namespace
 

@@ -14,14 +14,14 @@
 
 namespace link_bounds {
 
-/// A row per box that is another one than before, with the speed of its centre since then, and per
-/// pair within the limit.
+/// Writes a row for each box that changed, with the speed of its centre since the row before, and a
+/// row for each pair within the limit.
 class SeriesFile {
  public:
   /// Throws std::runtime_error if the file cannot be written, as close() does.
   explicit SeriesFile(const std::string& file);
 
-  /// At `now`, `begin` being that of the first message [record time, ns].
+  /// `now` is the time of the scene, `begin` that of the first message, both as record time [ns].
   void add(const Scene& scene, const std::vector<Distance>& distances, std::int64_t now,
            std::int64_t begin);
 
@@ -32,7 +32,7 @@ class SeriesFile {
     bool has_box = false;
     std::int64_t stamp = 0;
     Aabb box;
-    std::uint64_t pass = 0;  ///< in which the object was there
+    std::uint64_t pass = 0;  ///< the last pass with the object
   };
   using Names = std::map<std::string, Last>;
 

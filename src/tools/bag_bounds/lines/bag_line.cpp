@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The name comes first, so that a line that was cut says what it was about. JSON on one line is
-// YAML as well: so it is read.
+// The name comes first, so that a line that was cut still names its bag. Lines are read as YAML,
+// which includes JSON on one line.
 #include "tools/bag_bounds/lines/bag_line.h"
 
 #include <yaml-cpp/yaml.h>
@@ -39,7 +39,7 @@ BagLine lineWithout(const BagIdentity& bag, const std::string& question, const c
           kUnusable, kUnusable};
 }
 
-/// No string has these characters: it would have its quotes escaped.
+/// The begin of a line. It cannot occur within a string, whose quotes are escaped.
 constexpr char kStart[] = "{\"bag\": ";
 
 std::string reasonIn(const YAML::Node& line) {
@@ -54,7 +54,7 @@ std::string reasonIn(const YAML::Node& line) {
   return joined(texts, "; ");
 }
 
-/// Behind the string that begins with a quote there.
+/// The index behind the string whose opening quote is at `begin`.
 std::size_t endOfString(const std::string& json, std::size_t begin) {
   std::size_t end = begin + 1;
   while (end < json.size() && json[end] != '"')
@@ -62,7 +62,7 @@ std::size_t endOfString(const std::string& json, std::size_t begin) {
   return std::min(end + 1, json.size());
 }
 
-/// In YAML, a key of more than 1024 bytes needs a question mark. Each key gets one.
+/// YAML needs a question mark before a key of more than 1024 bytes, so each key gets one.
 std::string withMarkedKeys(const std::string& json) {
   std::string yaml;
   std::size_t end = 0;
@@ -103,14 +103,14 @@ ReadLine parse(const std::string& text) {
   return result;
 }
 
-/// Nothing if the line was cut. Throws YAML::Exception if it is whole, but lacks what is needed.
+/// std::nullopt if the line was cut. Throws YAML::Exception if it is whole, but lacks a key.
 std::optional<ReadLine> tryParse(const std::string& text) try {
   return text.back() == '}' ? std::optional(parse(text)) : std::nullopt;
 } catch (const YAML::ParserException&) {
   return std::nullopt;
 }
 
-/// Without what editors and other systems add: a byte order mark and a carriage return.
+/// Removes additions of editors and other systems: a byte order mark and a carriage return.
 std::string plain(std::string text) {
   constexpr char kMark[] = "\xef\xbb\xbf";
   if (text.rfind(kMark, 0) == 0) text.erase(0, sizeof(kMark) - 1);
@@ -127,19 +127,19 @@ bool isConsistent(const ReadLine& line) {
   return is_unusable ? line.exit_code == kUnusable : line.verdict == verdictOf(line.exit_code);
 }
 
-/// Whether it may have been a line before it was cut.
+/// Whether the text may be the begin of a line that was cut.
 bool isBegun(const std::string& text) {
   return std::string(kStart).compare(0, text.size(), text, 0, sizeof(kStart) - 1) == 0;
 }
 
-/// The name in a line that was cut, as JSON; "" if it was cut before its end.
+/// The name of the bag in a line that was cut, as JSON; "" if the name itself was cut.
 std::string nameIn(const std::string& cut) {
   const std::size_t end = cut.find(", \"size\": ");
   const std::size_t begin = sizeof(kStart) - 1;
   return end == std::string::npos || end < begin ? "" : cut.substr(begin, end - begin);
 }
 
-/// Whether that may not be a later state of the same bag.
+/// Whether `later` cannot be a later state of the bag `earlier`.
 bool isOther(const BagIdentity& earlier, const BagIdentity& later) {
   return (earlier.size != later.size || earlier.head != later.head) && !isBeginOf(earlier, later);
 }
@@ -148,7 +148,7 @@ class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {}
 
-  /// What another program appended to a line that was cut is a line of its own.
+  /// A line that another program appended to a cut line is a line of its own.
   void add(const std::string& text) {
     ++number_;
     if (text.empty()) return;
@@ -198,7 +198,7 @@ class Reader {
 
   const std::string& file_;
   std::size_t number_ = 0;
-  std::map<std::string, BagIdentity> found_;  ///< bags by name
+  std::map<std::string, BagIdentity> found_;  ///< bags with a finding, by name
   LineFile result_;
 };
 

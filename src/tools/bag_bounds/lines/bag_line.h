@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What --each prints of one bag, and how --merge and --resume read it; doc/tools.md has the keys.
+// Writes the line of --each about one bag, and reads it for --merge and --resume. doc/tools.md has
+// the keys.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace link_bounds {
 
-/// By which a bag is recognised.
+/// Identifies a bag.
 struct BagIdentity {
   std::string name;                   ///< as it was given
   std::optional<std::uint64_t> size;  ///< [bytes]; none: it cannot be read
@@ -23,13 +24,13 @@ struct BagIdentity {
 
 BagIdentity identityOf(const std::string& bag);
 
-/// Whether the one may be an unfinished copy of the other one.
+/// Whether `begin` may be an unfinished copy of `whole`.
 bool isBeginOf(const BagIdentity& begin, const BagIdentity& whole);
 
 /// A line, with its line break.
 struct BagLine {
   std::string text;
-  int exit_code;      ///< of its verdict, which says INCOMPLETE also with --allow-incomplete
+  int exit_code;      ///< without --allow-incomplete, as the verdict of the line
   int complete_code;  ///< with --allow-incomplete
 
   int exitCode(const Demand& demand) const {
@@ -41,11 +42,11 @@ struct BagLine {
 BagLine lineOf(const BagIdentity& bag, const std::string& question, const BagRun& run,
                const Demand& demand);
 
-/// The line of a bag about which nothing can be said.
+/// The line of a bag that could not be evaluated.
 BagLine unusableLine(const BagIdentity& bag, const std::string& question,
                      const std::string& reason);
 
-/// As above; the reason may be another one in a further run.
+/// The line of a bag whose process died; another run may end differently.
 BagLine diedLine(const BagIdentity& bag, const std::string& question, const std::string& reason);
 
 struct PairOfLine {
@@ -61,7 +62,7 @@ struct ZoneOfLine {
   std::uint64_t entries = 0;
 };
 
-/// What --merge and --resume need of a line.
+/// The parts of a line that --merge and --resume need.
 struct ReadLine {
   std::string text;  ///< without its line break
   std::string file;  ///< where it was read
@@ -70,16 +71,16 @@ struct ReadLine {
   std::string verdict;
   int exit_code = 0;
   int complete_code = 0;                                   ///< with --allow-incomplete
-  std::optional<std::pair<std::string, double>> coverage;  ///< the least covered link, its share
+  std::optional<std::pair<std::string, double>> coverage;  ///< min: name and share (0 to 1)
   std::optional<PairOfLine> worst;
   std::vector<ZoneOfLine> zones;
-  std::string left_out;  ///< as in the line; "" of a bag about which nothing can be said
-  std::string reason;    ///< why it is not clear, beside a finding; "" if there is nothing to say
+  std::string left_out;  ///< as in the line; "" if the bag was not evaluated
+  std::string reason;    ///< why the verdict is not CLEAR, apart from findings; "" if none
 
   bool hasDied() const { return verdict == "DIED"; }
 };
 
-/// Bags by name; of several lines of one bag in a file the last one counts.
+/// The lines of one file by name of the bag. If a bag has several lines, the last one counts.
 struct LineFile {
   struct Cut {
     std::string place;  ///< file and number
@@ -91,7 +92,7 @@ struct LineFile {
   std::string two_bags;  ///< a name that two bags may have, and the remedy; "" if there is none
 };
 
-/// Where the lines that were cut are, of bags that have no whole line in any of the files.
+/// The places of cut lines whose bags have no whole line in any of the files.
 std::vector<std::string> placesOfCut(const std::vector<LineFile>& files);
 
 /// Throws UsageError if the file cannot be read, or is none that --each has written.

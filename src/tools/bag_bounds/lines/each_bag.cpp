@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A process per bag, which sends its line through a pipe. Only one thread exists when they start.
+// A process per bag, which sends its line through a pipe. Processes are forked while there is only
+// one thread.
 #include "tools/bag_bounds/lines/each_bag.h"
 
 #include <fcntl.h>
@@ -32,11 +33,11 @@ namespace link_bounds {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Shares = std::atomic<double>;  // of a bag that has been read, 0 to 1
+using Shares = std::atomic<double>;  // the share of each bag that has been read, 0 to 1
 
 constexpr int kPollPause = 100;  // ms between looks at interrupts and progress
-constexpr int kCodeBits = 3;     // of an exit code; a process of a bag has two
-constexpr int kInterrupted = 5;  // exit code of a process that was to end; no line is of it
+constexpr int kCodeBits = 3;     // bits of an exit code; the process of a bag returns two codes
+constexpr int kInterrupted = 5;  // exit code of a process that sent no whole line
 
 [[noreturn]] void failed(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -54,7 +55,7 @@ bool writeAll(int file, const std::string& text) {
   return true;
 }
 
-/// What processes share with the one that started them: one number for each bag.
+/// Numbers that processes share with their parent: one for each bag.
 class SharedNumbers {
  public:
   explicit SharedNumbers(std::size_t count)
@@ -140,18 +141,18 @@ class EachBag {
   BagQuestion& question_;
   const std::string fingerprint_;
   std::vector<BagIdentity> bags_;
-  std::vector<double> bytes_;  ///< to be read of each bag
+  std::vector<double> bytes_;  ///< number to be read, by bag
   SharedNumbers shares_;
   std::list<std::size_t> waiting_;
   std::list<Reading> readings_;
   std::size_t resumed_ = 0;
   std::size_t done_ = 0;
-  std::map<int, std::size_t> exit_codes_;  ///< how many bags have which, lines of --resume included
-  int worst_ = 0;                          ///< of these, as the user demands
+  std::map<int, std::size_t> exit_codes_;  ///< number of bags by exit code, with lines of --resume
+  int worst_ = 0;                          ///< the worst of these, as the user demands
   const Clock::time_point begin_ = Clock::now();
 };
 
-/// Standard output that replaces the file of lines would lose them.
+/// Throws UsageError if standard output overwrites a file of --resume: its lines would be lost.
 void EachBag::checkAppends(const std::string& file) const {
   struct stat read {
   }, written{};
@@ -189,7 +190,7 @@ void EachBag::add(const BagLine& line) {
   worst_ = worseCode(worst_, line.exitCode(options_.demand));
 }
 
-/// Nothing if it has none, or is to be read again.
+/// The line of a bag in `files`; std::nullopt if it has none, or is to be read again.
 std::optional<BagLine> EachBag::knownLine(const BagIdentity& bag,
                                           const std::vector<LineFile>& files) const {
   for (const LineFile& file : files) {
@@ -212,7 +213,7 @@ void EachBag::start() {
   const pid_t process = fork();
   if (process < 0) failed("cannot start a process");
   if (process == 0) {
-    // The parent ends it; a terminal sends its signals to both.
+    // Only the parent reacts to a signal and ends this process: a terminal signals both.
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -223,7 +224,7 @@ void EachBag::start() {
   readings_.push_back({bag, process, ends[0], ""});
 }
 
-/// In the process of a bag. What would be said on standard error is in the line.
+/// Runs in the process of a bag. Standard error is discarded, because the line has all messages.
 void EachBag::read(std::size_t bag, int pipe) {
   const int null = open("/dev/null", O_RDWR);
   dup2(null, STDIN_FILENO);
@@ -248,7 +249,7 @@ BagLine EachBag::lineOfBag(std::size_t bag) {
   }
 }
 
-/// Waits for a moment for parts of lines.
+/// Waits for parts of lines, at most kPollPause.
 void EachBag::collect() {
   std::vector<pollfd> pipes;
   for (const Reading& reading : readings_)
@@ -268,7 +269,7 @@ void EachBag::collect() {
   }
 }
 
-/// The line of a bag whose process has closed its pipe.
+/// Takes and writes the line of a bag whose process has closed its pipe.
 void EachBag::close(std::list<Reading>::iterator reading) {
   int status = 0;
   while (waitpid(reading->process, &status, 0) < 0 && errno == EINTR) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The report of --merge: bags by name, then what is worst of all.
+// The report of --merge: bags by name, then the totals and the nearest pair of all bags.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,8 +19,9 @@ namespace {
 
 using Lines = std::map<std::string, ReadLine>;
 
-/// Of two lines of a bag the better one. Where the bag could not be read, such as on a machine that
-/// has not mounted it, or that had only its begin, another machine may have read it.
+/// The better of two lines of one bag. One machine may have had no access to the bag, or only to
+/// its begin, while another machine has read all of it. Throws UsageError if two full readings
+/// differ.
 ReadLine betterOf(const ReadLine& first, const ReadLine& second) {
   const auto was_read = [&](const ReadLine& line) {
     const ReadLine& other = &line == &first ? second : first;
@@ -41,7 +42,7 @@ void checkQuestion(const ReadLine& known, const ReadLine& other) {
                    " are of different robots, options or versions; merge each kind alone");
 }
 
-/// Zones in the order of the file of zones, which is that of the lines.
+/// The sum of a zone over all bags. Zones are in the order of the zone file, as in the lines.
 struct ZoneSum {
   std::string name;
   std::uint64_t entries = 0;

@@ -86,7 +86,7 @@ std::string topicName(const std::string& option_name, const std::string& text) {
   return name.front() == '/' ? name : "/" + name;
 }
 
-/// `rule` is what the value must be, see rules.
+/// Throws UsageError unless `rule` is "". It says what the value must be, see namespace rules.
 void checkRule(const std::string& option_name, const std::string& text, const std::string& rule) {
   if (!rule.empty()) throw UsageError(option_name + " is \"" + text + "\", but " + rule);
 }
@@ -155,7 +155,8 @@ std::vector<Option> optionsInto(BagBoundsOptions& options) {
           flag("version", options.version)};
 }
 
-/// One bag may have several names; one that is not there is known by its name.
+/// Throws UsageError if a bag is given twice, even by different names. Missing files are compared
+/// by name.
 void checkBagsOnce(const std::vector<std::string>& bags) {
   std::set<std::string> names;
   std::set<std::pair<dev_t, ino_t>> files;
@@ -168,7 +169,7 @@ void checkBagsOnce(const std::vector<std::string>& bags) {
   }
 }
 
-/// What --each cannot do, because it is about one bag or one report.
+/// Throws UsageError for options that do not fit --each: they are about one bag or one report.
 void checkEach(const BagBoundsOptions& options) {
   for (const std::string name : {"out", "series", "format", "at"})
     if (options.given.count(name))
@@ -189,7 +190,8 @@ void checkMerge(const BagBoundsOptions& options) {
       throw UsageError("--" + name + " does not fit --merge, which reads no bag; leave it out");
 }
 
-/// Its messages would be taken for transforms.
+/// Throws UsageError if --objects names the topic of transforms or joint states: its messages would
+/// be taken for these.
 void checkObjects(const BagBoundsOptions& options) {
   const bool has_joints = !options.joint_states.empty();
   const std::set<std::string> others =

@@ -20,7 +20,7 @@
 namespace link_bounds {
 namespace {
 
-/// None of these files is to be overwritten.
+/// Throws UsageError if an output would overwrite one of the inputs.
 void checkOutputs(const BagBoundsOptions& options, const std::vector<std::string>& inputs) {
   checkOutput("--out", options.out, inputs);
   checkOutput("--series", options.series, inputs);
@@ -36,7 +36,8 @@ const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   return options;
 }
 
-/// Options that change no line, and those whose files count, not their names.
+/// Whether the option is part of the fingerprint. The others change no line, or name files whose
+/// content is part of it.
 bool isCounted(const std::string& option_name) {
   static const std::set<std::string> kOthers{"each", "jobs",  "resume",
                                              "urdf", "zones", "static-from"};
@@ -127,7 +128,8 @@ void BagQuestion::loadTrees() {
     trees_[uris[i]] = trees[i];
 }
 
-/// A mesh file may name others, such as the buffers of glTF: what was loaded counts, too.
+/// Includes the loaded points and triangles, because a mesh file may refer to others, such as the
+/// buffers of glTF.
 std::string BagQuestion::fingerprint() const {
   Fingerprint result;
   const auto add_file = [&result](const std::string& file) {

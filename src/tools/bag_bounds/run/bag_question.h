@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is asked of each bag: a robot, zones and options.
+// The question about each bag: a robot, zones and options.
 #pragma once
 
 #include <map>
@@ -18,7 +18,8 @@ namespace link_bounds {
 /// Reads the robot, its meshes and the zones once, for any number of bags.
 class BagQuestion {
  public:
-  /// Throws std::exception, also where an output is what is read. `options` must outlive it.
+  /// Throws std::exception, also if an output would overwrite an input. `options` must outlive
+  /// this.
   explicit BagQuestion(const BagBoundsOptions& options);
   BagQuestion(const BagQuestion&) = delete;
   BagQuestion& operator=(const BagQuestion&) = delete;
@@ -32,9 +33,9 @@ class BagQuestion {
   /// Reads the triangles of the robot in advance.
   void loadTrees();
 
-  /// The same for the same version, robot, meshes, zones and options, on any machine and whatever
-  /// the names of their files; of triangles, those of loadTrees(). Throws UsageError if a file
-  /// cannot be read any more.
+  /// Equal for the same version, robot, meshes, zones and options, on any machine and with any file
+  /// names. Includes the triangles only if loadTrees() has read them. Throws UsageError if a file
+  /// cannot be read again.
   std::string fingerprint() const;
 
  private:

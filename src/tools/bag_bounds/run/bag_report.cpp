@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same numbers in each format; a table rounds them.
+// All formats have the same numbers; a table rounds them.
 #include "tools/bag_bounds/run/bag_report.h"
 
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 
-/// The words of one report, whose times begin with the first message.
+/// Writes one report as a table or CSV. Times count from the first message.
 class Writer {
  public:
   Writer(const BagReport& report, std::ostream& out) : report_(report), out_(out) {}
@@ -104,7 +104,7 @@ class Writer {
     if (rows.size() == 1) out_ << "(no link ever had a box)\n";
   }
 
-  /// Only of boxes that moved.
+  /// Leaves out boxes that never moved.
   void writeSpeeds() const {
     std::vector<Row> rows{{"name", "max speed [m/s]", "at"}};
     for (const BoxRecord& box : report_.boxes) {
@@ -182,7 +182,7 @@ class Writer {
     writeAligned(rows, out_, 2);
   }
 
-  /// Only of links and objects that were not covered all the time.
+  /// Leaves out links and objects that were covered all the time.
   void writeCoverage() const {
     std::vector<Row> rows{{"name", "coverage"}};
     for (const BoxRecord& box : report_.boxes) {
@@ -205,7 +205,8 @@ class Writer {
   std::ostream& out_;
 };
 
-/// Why a box was missing for too long; "" if it was not. That of an object may never be missing.
+/// Why a box was missing for too long; "" if it was not. The box of an object must never be
+/// missing.
 std::string lossOf(const BoxRecord& box, const BagReport& report) {
   const bool is_short = box.coverage && *box.coverage < report.min_coverage;
   const bool is_late = box.delay > kRemembered;
@@ -248,7 +249,7 @@ std::string withRemedy(const BoxRecord& box) {
   return box.reason + (box.remedy.empty() ? "" : "; " + box.remedy);
 }
 
-/// A name that is incomplete for several reasons stands there once, with all of them.
+/// Lists each name once, with all reasons why it is incomplete.
 Reasons incompleteOf(const BagReport& report) {
   Reasons reasons;
   std::map<std::string, std::size_t> places;

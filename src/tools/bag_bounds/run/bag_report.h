@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is printed of a bag: a table to read, CSV or JSON.
+// The report about the bags: a table to read, CSV or JSON.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@
 
 namespace link_bounds {
 
-/// Times are nanoseconds of record time.
+/// Times are record times [ns].
 struct BagReport {
   std::string frame;       ///< the fixed frame
-  std::int64_t begin = 0;  ///< of the first message; other times are printed from here on
+  std::int64_t begin = 0;  ///< time of the first message; printed times count from it
   std::int64_t from = 0;   ///< the report covers from here ...
   std::int64_t to = 0;     ///< ... to here
   std::uint64_t messages = 0;
   std::vector<BoxRecord> boxes;
-  std::optional<std::int64_t> at;  ///< of the next ones
+  std::optional<std::int64_t> at;  ///< time of `boxes_at`
   std::vector<BoxAt> boxes_at;
   std::vector<ZoneRecord> zones;
   std::optional<std::vector<NearestPair>> distances;
@@ -37,18 +37,18 @@ struct BagReport {
   std::vector<std::string> open;  ///< as Outcome::open, for JSON
 };
 
-/// Why it never had a box, and what to do.
+/// Why a box is missing or came late, and what to do.
 std::string withRemedy(const BoxRecord& box);
 
-/// What is incomplete, and why.
+/// The names that are incomplete, and why.
 Reasons incompleteOf(const BagReport& report);
 
 void write(const BagReport& report, Format format, std::ostream& out);
 
 void writeJson(const BagReport& report, std::ostream& out);
 
-/// The members of an object, on one line: the least covered link, the nearest pair, entries of
-/// zones, what is incomplete.
+/// Members of a JSON object, on one line: the link or object with the min coverage, the nearest
+/// pair, entries into zones, and what is incomplete.
 std::string summaryJson(const BagReport& report);
 
 }  // namespace link_bounds

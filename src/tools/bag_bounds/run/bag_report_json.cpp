@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A report as JSON, of which doc/tools.md has the keys: one element of a list per line.
+// A report as JSON, with one list element per line. doc/tools.md describes the keys.
 #include <algorithm>
 #include <array>
 #include <sstream>
@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-/// The words of one report, whose times begin with the first message.
+/// Writes one report. Times count from the first message.
 class JsonWriter {
  public:
   explicit JsonWriter(const BagReport& report) : report_(report) {}
@@ -61,7 +61,7 @@ class JsonWriter {
         << ",\n \"left_out\": " << jsonString(report_.left_out);
   }
 
-  /// The link that was covered least; of several, the first in the order of ~boxes.
+  /// The link or object with the min coverage; of several, the first in the order of ~boxes.
   std::string leastCovered() const {
     const BoxRecord* least = nullptr;
     for (const BoxRecord& box : report_.boxes)
@@ -71,7 +71,7 @@ class JsonWriter {
            ", \"share\": " + exactNumber(*least->coverage) + "}";
   }
 
-  /// That of the smallest proven clearance; of several, the first in alphabetical order.
+  /// The pair with the smallest proven clearance; of several, the nearest one.
   std::string nearestPair() const {
     const auto nearest = std::min_element(
         report_.distances->begin(), report_.distances->end(), [](const auto& a, const auto& b) {
@@ -97,7 +97,7 @@ class JsonWriter {
     return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + stampSeconds(moment.stamp);
   }
 
-  /// The other end of the interval in which it happened.
+  /// The stamp before an entry or exit, which happened between this one and its own stamp.
   static std::string after(const std::optional<std::int64_t>& stamp) {
     return stamp ? ", \"after\": " + stampSeconds(*stamp) : "";
   }
@@ -176,7 +176,7 @@ void writeJson(const BagReport& report, std::ostream& out) {
   JsonWriter(report).write(out);
 }
 
-/// Line breaks are only between elements: strings have them escaped.
+/// Removes the line breaks, which are only between elements: strings have theirs escaped.
 std::string summaryJson(const BagReport& report) {
   std::ostringstream out;
   JsonWriter(report).writeSummary(out);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The order of time: before --start transforms are taken, but nothing is recorded.
+// Before --start, transforms are taken, but nothing is recorded.
 #include "tools/bag_bounds/run/bag_run.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint64_t kStepsPerGlance = 256;  // at the progress
+constexpr std::uint64_t kStepsPerGlance = 256;  // between two calls of OnProgress
 
 constexpr char kStaticEnd[] = "_static";
 
@@ -26,7 +26,7 @@ std::string staticTopic(const BagBoundsOptions& options) {
   return options.tf_topic + kStaticEnd;
 }
 
-/// "/tf" of both "/tf" and "/tf_static".
+/// "/tf" for both "/tf" and "/tf_static".
 std::string withoutStatic(const std::string& topic) {
   return withoutEnd(topic, kStaticEnd).value_or(topic);
 }
@@ -41,14 +41,14 @@ std::set<std::string> topicsOf(const BagBoundsOptions& options) {
   return topics;
 }
 
-/// Nanoseconds, of any number of seconds.
+/// `begin` [ns] plus any number of seconds.
 std::int64_t after(std::int64_t begin, double seconds) {
   constexpr double kFar = 4e9;  // s
   return begin + std::llround(std::min(seconds, kFar) * 1e9);
 }
 
-/// Transforms that boxes needed, and that none was made of. Repeated ones say nothing new, unless
-/// they contradict.
+/// Adds losses: transforms that boxes needed, but that were left out. Repeated transforms are no
+/// loss, unless they contradict each other.
 void addRefusals(const TfIntake& before, const TfIntake& after, std::vector<std::string>& losses) {
   const auto add = [&](std::uint64_t TfIntake::*what, const std::string& why) {
     const std::uint64_t count = after.*what - before.*what;
@@ -110,7 +110,7 @@ void BagRun::begin() {
   onStep(begin_, false);
 }
 
-/// As if they had been sent at the begin.
+/// Takes the static transforms as if they had been sent at the begin.
 void BagRun::takeStatic() {
   BagReader reader({options_.static_from}, {staticTopic(options_)}, isInterrupted);
   BagMessage message{};
@@ -202,7 +202,8 @@ void BagRun::readMessages() {
   was_interrupted_ = reader_.wasInterrupted() || !passToEnd();
 }
 
-/// Other topics may go on where those that are read end. False if it was interrupted.
+/// Lets time pass to the end of the bags: other topics may go on after those that are read. False
+/// if it was interrupted.
 bool BagRun::passToEnd() {
   const std::int64_t end = std::min(reader_.endTime(), to_);
   if (end <= scene_.now()) return true;
@@ -211,8 +212,8 @@ bool BagRun::passToEnd() {
   return true;
 }
 
-/// The begin of the report and --at may lie between two messages or ticks: what is there then
-/// counts, before a later message changes it. False if it was interrupted.
+/// Lets time pass to the begin of the report and to --at if they are before the message. The scene
+/// at that time counts, before a message changes it. False if it was interrupted.
 bool BagRun::lookBefore(std::int64_t message) {
   if (!lookBetween(message)) return false;
   beginBoxesAt(message);
@@ -228,7 +229,7 @@ bool BagRun::lookBetween(std::int64_t message) {
   return true;
 }
 
-/// After the last message of that time.
+/// Begins --at after the last message up to its time.
 void BagRun::beginBoxesAt(std::int64_t next) {
   if (!boxes_at_ || boxes_at_->hasBegun()) return;
   const std::int64_t stamp = boxes_at_->stamp();
@@ -242,7 +243,7 @@ void BagRun::endMotions() {
   if (pairs_) pairs_->endMotions(scene_.tf());
 }
 
-/// Called by the reader now and then.
+/// The reader calls it regularly.
 bool BagRun::glance() {
   on_progress_(reader_.progress());
   return isInterrupted();
@@ -257,7 +258,7 @@ void BagRun::onNews(std::int64_t now) {
   }
 }
 
-/// What is there when the report begins is recorded, too.
+/// Also records the scene as it is when the report begins.
 void BagRun::onStep(std::int64_t now, bool is_tick) {
   if (++steps_ % kStepsPerGlance == 0) on_progress_(reader_.progress());
   zones_.onStep(now, is_tick, isReported(now));
@@ -307,7 +308,7 @@ BagReport BagRun::report() const {
   return report;
 }
 
-/// What was recorded and is not in the report, in words.
+/// Messages about recorded data that is missing in the report.
 std::vector<std::string> BagRun::losses() const {
   std::vector<std::string> losses = reader_.losses();
   losses.insert(losses.end(), static_losses_.begin(), static_losses_.end());
@@ -360,7 +361,7 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   }
 }
 
-/// Who interrupts knows that there may be more.
+/// Returns "" after an interrupt: the user knows that there may be more.
 std::string BagRun::whyUseless(const BagReport& report) const {
   if (was_interrupted_) return "";
   if (scene_.transforms() == 0 && ended_early_)
@@ -384,7 +385,7 @@ std::string BagRun::whyUseless(const BagReport& report) const {
   return "";
 }
 
-/// What is not known of the distances of pairs.
+/// Adds the open questions about distances of pairs.
 void BagRun::addOpenPairs(const NearestPairs& pairs, Outcome& outcome) {
   if (pairs.wasInterrupted())
     outcome.open.emplace_back("distances of the last step, which was interrupted");

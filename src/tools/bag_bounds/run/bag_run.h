@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From bags to a report: reads, moves the scene, and records what is to be reported.
+// Reads bags, moves the scene, and records what the report needs.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class BagRun {
   /// at the end.
   using OnProgress = std::function<void(double share)>;
 
-  /// Opens all files. Throws std::exception. What it refers to must outlive it.
+  /// Opens all files. Throws std::exception. `options` and `question` must outlive this.
   BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgress on_progress);
   BagRun(const BagRun&) = delete;
   BagRun& operator=(const BagRun&) = delete;
@@ -35,13 +35,14 @@ class BagRun {
   /// Reads the bags to the end of what is to be reported. Throws std::exception.
   void read();
 
-  /// After read().
+  /// Call it after read().
   BagReport report() const;
 
-  /// Why the report is about nothing, or not about all zones; "" if it is, or was interrupted.
+  /// Why the report is about nothing, or not about all zones; "" if it is useful, or was
+  /// interrupted.
   std::string whyUseless(const BagReport& report) const;
 
-  /// What the report says; warns of losses, and says why it is about nothing.
+  /// The outcome of the report. Warns of losses, and says why the report is useless.
   Outcome outcome(const BagReport& report) const;
 
  private:
@@ -80,20 +81,20 @@ class BagRun {
   std::int64_t begin_ = 0;  ///< record time of the first message [ns]
   std::int64_t from_ = 0;   ///< begin of what is reported, record time [ns]
   std::int64_t to_ = 0;
-  std::set<std::int64_t> looks_;  ///< record times at which there may be no message [ns]
+  std::set<std::int64_t> looks_;  ///< record times to look at even without a message [ns]
   std::int64_t last_ = 0;         ///< the newest record time that is reported [ns]
   RecordOrder order_;
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
   std::uint64_t steps_ = 0;
-  std::uint64_t back_before_start_ = 0;  ///< messages, after the report had begun
+  std::uint64_t back_before_start_ = 0;  ///< messages before --start, after the report began
   bool ended_early_ = false;             ///< at --end
-  bool goes_back_after_end_ = false;     ///< messages after --end, which were not read
+  bool goes_back_after_end_ = false;     ///< after --end, record times go back to unread messages
   std::set<std::string> unused_topics_;
-  std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
+  std::string other_topics_;  ///< remedy: other topics with transforms; "" if there are none
   std::vector<std::string> static_losses_;  ///< of the bag of --static-from
-  TfIntake intake_before_;                  ///< of needed edges, before the report
+  TfIntake intake_before_;                  ///< transforms of needed edges before the report
 };
 
 }  // namespace link_bounds

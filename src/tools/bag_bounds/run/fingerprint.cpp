@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A multiplication per byte.
+// FNV-1a: an exclusive or and a multiplication per byte.
 #include "tools/bag_bounds/run/fingerprint.h"
 
 #include <algorithm>

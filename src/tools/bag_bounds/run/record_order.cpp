@@ -9,7 +9,7 @@
 namespace link_bounds {
 namespace {
 
-/// Messages of several publishers on one topic may be out of order by less [ns].
+/// Several publishers may write their messages on one topic out of order, by less than this [ns].
 constexpr std::int64_t kMinStepBack = 100'000'000;
 
 /// The first frame or joint of a message; "" of other types.
@@ -51,7 +51,7 @@ void RecordOrder::watch(const BagMessage& message, bool is_jump_back) {
   key_.append(subjectOf(message));
   Newest& newest = newest_[key_];
   const bool goes_back = newest.time > message.time + kMinStepBack;
-  // A publisher that has sent since the step, and goes back now, tells nothing of that step.
+  // A publisher that has sent since the step, and goes back now, says nothing about that step.
   if (may_be_jump_ && goes_back && !is_jump_back && newest.steps_back < all_steps_back_) {
     steps_back_.pop_back();
     may_be_jump_ = false;

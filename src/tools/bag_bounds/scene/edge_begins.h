@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Since when tf could tell where a frame is: what it has forgotten since then, nobody looked at.
+// Record times since when tf knows where a frame is. Motions that tf forgot since then were never
+// examined.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +13,20 @@
 
 namespace link_bounds {
 
-/// When the moving edges of tf began, in record time [ns].
+/// Record times [ns] at which the moving edges of tf began.
 class EdgeBegins {
  public:
   using Frame = TransformBuffer::Frame;
 
-  /// To be called now and then until the frame is connected: notes the edges above it.
+  /// Notes the moving edges above `frame`. Call it regularly until the frame is connected.
   void look(const TransformBuffer& tf, Frame frame, std::int64_t now) {
     for (const Frame edge : wayUp(tf, frame)) {
       if (tf.hasParent(edge) && !tf.isStatic(edge)) begins_.try_emplace(edge, now);
     }
   }
 
-  /// Of two frames that are connected: since when all moving edges between them are there. Nothing
-  /// if none moves.
+  /// The time since when all moving edges between two connected frames exist; std::nullopt if all
+  /// edges are static.
   std::optional<std::int64_t> allSince(const TransformBuffer& tf, Frame target, Frame source,
                                        std::int64_t now) const {
     std::optional<std::int64_t> since;
@@ -37,11 +38,11 @@ class EdgeBegins {
     return since;
   }
 
-  /// After a jump of the clock: what is not static begins again.
+  /// Call it after a jump of the clock: all moving edges begin again.
   void clear() { begins_.clear(); }
 
  private:
-  std::map<Frame, std::int64_t> begins_;  ///< by child
+  std::map<Frame, std::int64_t> begins_;  ///< by child frame
 };
 
 }  // namespace link_bounds

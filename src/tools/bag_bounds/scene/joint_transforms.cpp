@@ -14,12 +14,12 @@ namespace link_bounds {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-/// From here on, two orientations do not tell which way round a joint went.
+/// From this turn on [rad], two orientations do not show in which direction a joint turned.
 constexpr double kHalfTurn = kPi - 1e-6;
-constexpr double kMaxStep = kPi / 2;  // tf2 goes the shorter way round
-constexpr double kMaxTurn = 1e3;      // rad, of a motion whose way is made of such steps
+constexpr double kMaxStep = kPi / 2;  // rad; tf2 interpolates the shorter way
+constexpr double kMaxTurn = 1e3;      // rad; larger turns are not split into steps
 
-/// Drivers may send the angle of a continuous joint as one of a single turn.
+/// Whether both angles are within one turn: drivers may wrap the angle of a continuous joint.
 bool isOfOneTurn(double a, double b) {
   const double rounding = 1e-3;
   const auto [low, high] = std::minmax(a, b);
@@ -68,7 +68,7 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
   return result;
 }
 
-/// A turn by half a turn or more goes through all positions between.
+/// Adds transforms on the way of a turn by half a turn or more, so that tf2 follows its direction.
 void JointTransforms::addTurn(const Joint& joint, const Position& next,
                               std::vector<TransformView>& result) {
   const auto [entry, is_new] = last_.try_emplace(&joint, next);
@@ -86,9 +86,9 @@ void JointTransforms::addTurn(const Joint& joint, const Position& next,
   if (!is_known && ambiguous_++ == 0) first_ambiguous_ = joint.name;
 }
 
-/// A joint turns as far as its leader, times the factor. Drivers may send the angle of a continuous
-/// leader as one of a single turn: where it steps from one end to the other, it went the shorter
-/// way, if that is short.
+/// A joint turns as far as its leader, times the factor. Drivers may wrap the angle of a continuous
+/// leader. If such an angle changes by half a turn or more, the shorter direction is assumed; it
+/// counts as sure only up to a quarter of a turn.
 JointTransforms::Way JointTransforms::wayBetween(const Joint& joint, const Position& last,
                                                  const Position& next) {
   const bool is_of_leader = last.leader == next.leader;
@@ -100,7 +100,7 @@ JointTransforms::Way JointTransforms::wayBetween(const Joint& joint, const Posit
                               std::abs(to - from) > kHalfTurn && isOfOneTurn(from, to);
   if (!may_begin_anew) return {factor * (to - from), true};
   const double shorter = std::remainder(to - from, 2 * kPi);
-  const bool is_whole = factor == std::round(factor);  // else it stands elsewhere after a turn
+  const bool is_whole = factor == std::round(factor);  // else a turn of the leader moves it
   if (!is_whole) return {std::remainder(next.value - last.value, 2 * kPi), false};
   return {factor * shorter, std::abs(shorter) <= kMaxStep};
 }
@@ -114,7 +114,7 @@ std::string JointTransforms::loss() const {
          "a higher rate";
 }
 
-/// By the way from a joint to the one that it names, and on, until the message has a position.
+/// Follows the mimics from a joint until it finds a leader that the message has.
 std::optional<JointTransforms::Position> JointTransforms::positionOf(const Joint& joint,
                                                                      const Values& told,
                                                                      ros::Time stamp) const {

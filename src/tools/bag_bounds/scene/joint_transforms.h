@@ -17,8 +17,8 @@
 
 namespace link_bounds {
 
-/// The root link is where it is. Floating and planar joints have no value in a JointState, so their
-/// links have no transforms. Not copyable: it hands out views of its names.
+/// Gives no transform of the root link. Floating and planar joints have no value in a JointState,
+/// so their links have no transforms either. Not copyable: the transforms are views of its names.
 class JointTransforms {
  public:
   /// Throws JointError for mimic joints that follow each other in a circle or follow no joint.
@@ -29,22 +29,22 @@ class JointTransforms {
   /// The transforms of all fixed joints.
   std::vector<TransformView> fixed() const;
 
-  /// Transforms of the joints that the message has, one per name, and of those that mimic them and
-  /// have none of their own. Other names are those of other robots, or of joints that the URDF does
-  /// not have. Where a joint turned by more than tf2 can interpolate, transforms on its way come
+  /// Transforms of the joints in the message, one per name, and of joints that mimic them and are
+  /// not in the message. Ignores other names: those of other robots, or of joints that are not in
+  /// the URDF. If a joint turned by more than tf2 can interpolate, transforms on its way come
   /// before the last one.
   std::vector<TransformView> of(const sensor_msgs::JointState& message, ros::Time stamp);
 
-  /// Turns of which it is not known which way round they went, in words; "" if there are none.
+  /// A message about turns whose direction is not known; "" if there are none.
   std::string loss() const;
 
-  /// Joints with a value that no message had so far.
+  /// Joints that have a value of their own, but were in no message so far.
   std::vector<std::string> missing() const;
 
  private:
   using Values = std::map<std::string, double>;  // by the name of the joint
 
-  /// The position of a joint in a message: `factor` times that of the leader, and an offset.
+  /// The position of a joint in a message: `value` is `factor` times `of_leader`, plus an offset.
   struct Position {
     const Joint* leader;  ///< the joint that the message has; maybe the joint itself
     double factor;
@@ -67,10 +67,10 @@ class JointTransforms {
   Robot robot_;
   std::vector<std::string> frames_;  ///< of the links
   std::map<std::string, const Joint*> joints_;
-  std::map<std::string, bool> is_met_;  ///< leaders
+  std::map<std::string, bool> is_met_;  ///< by leader: a message had it
   std::map<const Joint*, Position> last_;
-  std::uint64_t ambiguous_ = 0;  ///< turns
-  std::string first_ambiguous_;  ///< the joint of the first one
+  std::uint64_t ambiguous_ = 0;  ///< number of turns of unknown direction
+  std::string first_ambiguous_;  ///< the joint of the first of these turns
 };
 
 }  // namespace link_bounds

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is not known to be of another topic is of the first one, so that one topic costs nothing.
+// Only objects of further topics are stored; all others belong to the first one. So one topic costs
+// nothing.
 #include "tools/bag_bounds/scene/object_topics.h"
 
 #include <algorithm>
@@ -70,8 +71,8 @@ void ObjectTopics::keepOwn(Marker& marker, const std::string& topic, Markers& ow
   own.push_back(std::move(marker));
 }
 
-/// Replaces a DELETEALL: adds a DELETE for each object of the topic that is there or that the
-/// message adds before it; of those of one publisher, or of all if it is null.
+/// Replaces a DELETEALL: adds a DELETE for each object of the topic that is in the scene or earlier
+/// in the message. With `publisher`, only objects in the scene from that publisher.
 void ObjectTopics::addDeletions(const std::string& topic, const std::string* publisher,
                                 Markers& own) const {
   std::set<ObjectKey> keys;
@@ -89,15 +90,15 @@ void ObjectTopics::addDeletions(const std::string& topic, const std::string* pub
   }
 }
 
-/// A publisher may invent names without end.
+/// Limits memory: a publisher may send ever new names.
 void ObjectTopics::forgetDeleted() {
   if (further_.size() < kMinForgotten + 2 * objects_.objects().size()) return;
   for (auto entry = further_.begin(); entry != further_.end();)
     entry = objects_.objects().count(entry->first) ? std::next(entry) : further_.erase(entry);
 }
 
-/// As NeighbourSets, tells the boxes of a sender apart by their frame and links. Which of several
-/// topics an empty message is about it does not know.
+/// Tells the boxes of a sender apart by frame and links, as NeighbourSets does. An empty message
+/// has neither, so it is accepted only if all boxes of the sender come from this topic.
 bool ObjectTopics::isOwn(const AxisAlignedBoxArray& boxes, const std::string& topic,
                          const std::string& publisher) {
   used_.insert(topic);

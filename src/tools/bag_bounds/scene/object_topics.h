@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whose objects are whose, where several topics have some.
+// Keeps the objects of several topics apart.
 #pragma once
 
 #include <link_bounds/AxisAlignedBoxArray.h>
@@ -16,9 +16,9 @@
 
 namespace link_bounds {
 
-/// Objects of two topics are different ones, as in rviz, and none replaces or deletes those of
-/// another topic. But a scene tells them apart by name alone: of two that have the same name, the
-/// later one is left out, which is a loss.
+/// Objects of two topics are different ones, as in rviz: no topic replaces or deletes objects of
+/// another one. But a scene tells objects apart by name alone. If two topics have an object of the
+/// same name, the later one is left out, which is a loss.
 class ObjectTopics {
  public:
   using Markers = std::vector<visualization_msgs::Marker>;
@@ -26,25 +26,25 @@ class ObjectTopics {
   /// The objects must outlive this.
   explicit ObjectTopics(const LiveObjects& objects) : objects_(objects) {}
 
-  /// Leaves of a message what is about objects of its topic alone. To be called before these are
-  /// taken.
+  /// Removes the markers that are not about objects of this topic. Call it before the scene takes
+  /// them.
   void keepOwn(Markers& markers, const std::string& topic, const std::string& publisher);
 
-  /// False if boxes of another node are not to be taken, because they would replace those of
-  /// another topic.
+  /// Whether the scene may take boxes of another node; false if they would replace those of another
+  /// topic.
   bool isOwn(const AxisAlignedBoxArray& boxes, const std::string& topic,
              const std::string& publisher);
 
-  /// What was left out, in words; "" if nothing.
+  /// A message about objects that were left out; "" if there are none.
   std::string loss() const;
 
-  /// Topics with messages that had drawings of nodes of link_bounds alone, which are ignored.
+  /// Topics that had only markers drawn by nodes of link_bounds, which are ignored.
   const std::set<std::string>& ignored() const { return ignored_; }
 
  private:
   /// The boxes of one node.
   struct Sender {
-    std::map<std::string, std::string> topics;  ///< by frame and link
+    std::map<std::string, std::string> topics;  ///< of its boxes, by frame and link
   };
 
   void noteUse(const Markers& markers, const std::string& topic);
@@ -55,8 +55,8 @@ class ObjectTopics {
   void forgetDeleted();
 
   const LiveObjects& objects_;
-  std::string first_;                         ///< topic that had markers
-  std::map<ObjectKey, std::string> further_;  ///< topics of objects that are not from that one
+  std::string first_;                         ///< first topic that had markers
+  std::map<ObjectKey, std::string> further_;  ///< topics of objects from other topics
   std::map<std::string, Sender> senders_;
   std::set<std::string> used_;
   std::set<std::string> ignored_;

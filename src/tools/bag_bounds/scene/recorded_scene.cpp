@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of the node, in record time.
+// Does the steps of the node, in record time.
 #include "tools/bag_bounds/scene/recorded_scene.h"
 
 #include <visualization_msgs/MarkerArray.h>
@@ -18,11 +18,12 @@ namespace {
 
 constexpr std::int64_t kTick = static_cast<std::int64_t>(SceneFeed::kTick * 1e9);
 
-/// In a gap between two messages, ticks are apart by at least its length so far over this. So a
-/// recorder whose clock was set by thirty years costs two thousand ticks.
+/// In a gap between two messages, ticks become rarer: the next one comes after the length of the
+/// gap so far, divided by this. So a recorder's clock that jumps by thirty years costs only two
+/// thousand ticks.
 constexpr std::int64_t kTicksPerGap = 100;
 
-constexpr std::size_t kMarkersPerGlance = 256;      // at the interrupt flag
+constexpr std::size_t kMarkersPerGlance = 256;      // between two checks for an interrupt
 constexpr std::int64_t kFirstTime = 1'000'000'000;  // ns
 constexpr char kMarkerArray[] = "visualization_msgs/MarkerArray";
 constexpr char kBoxArray[] = "link_bounds/AxisAlignedBoxArray";
@@ -35,7 +36,7 @@ void checkType(const BagMessage& message, std::initializer_list<const char*> typ
                    ", not " + *types.begin() + "; name another topic or another bag");
 }
 
-/// Throws what ros::serialization throws.
+/// Throws the exceptions of ros::serialization.
 template <class Message>
 void deserialize(const BagMessage& message, Message& result) {
   if (!readComplete(message.data, message.size, result)) ros::serialization::throwStreamOverrun();
@@ -61,7 +62,7 @@ RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
   feed_.scene().objects.needPlaces();
 }
 
-/// Not 0, which stands for no jump.
+/// Never 0, because 0 stands for "no jump".
 ros::SteadyTime RecordedScene::passed() const {
   return ros::SteadyTime().fromNSec(static_cast<std::uint64_t>(kFirstTime + passed_));
 }
@@ -92,7 +93,7 @@ bool RecordedScene::take(const BagMessage& message) {
   return true;
 }
 
-/// Where time goes back, a tick comes before the message, so that all see tf as it is then.
+/// If time goes back, a tick comes before the message, so that everybody sees tf after the jump.
 bool RecordedScene::passTo(std::int64_t time) {
   const std::int64_t begin = now_;
   if (time < begin) {
@@ -131,13 +132,13 @@ void RecordedScene::takeJoints(const std::string& topic, JointTransforms& joints
       joints.fixed(), true, [] { return std::string(); }, toRosTime(now_), passed());
 }
 
-/// As robot_state_publisher, takes nothing of a message with some positions but not one for each
-/// name. Where a driver gives no stamp, that of the recording serves.
+/// Ignores positions of a message that has not one per name, as robot_state_publisher does. A
+/// message without a stamp gets its record time.
 void RecordedScene::takeJointState(const BagMessage& message) {
   checkType(message, {"sensor_msgs/JointState", ""});
   sensor_msgs::JointState state;
   deserialize(message, state);
-  if (state.position.empty()) return;  // it has velocities or efforts only, which is usual
+  if (state.position.empty()) return;  // it has only velocities or efforts, which is common
   if (state.name.size() != state.position.size()) {
     ++unfit_;
     return;
@@ -157,7 +158,7 @@ void RecordedScene::takeTransforms(const BagMessage& message, bool is_static) {
       passed());
 }
 
-/// Boxes are those of a neighbour, as for the node.
+/// Arrays of boxes are those of a neighbour, as for the node.
 bool RecordedScene::takeObjects(const BagMessage& message) {
   checkType(message, {"visualization_msgs/Marker", kMarkerArray, kBoxArray});
   if (*message.type == kBoxArray) {
@@ -178,7 +179,7 @@ bool RecordedScene::takeObjects(const BagMessage& message) {
   return feedMarkers(array.markers, *message.publisher) && loadMeshes();
 }
 
-/// In pieces, which become news together.
+/// Feeds the markers in pieces, with checks for an interrupt, but as one update of the scene.
 bool RecordedScene::feedMarkers(std::vector<visualization_msgs::Marker>& markers,
                                 const std::string& publisher) {
   const ros::Time now = toRosTime(now_);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene that recorded messages move. Time is that of their recording.
+// A scene that recorded messages move. All times are record times.
 #pragma once
 
 #include <cstdint>
@@ -22,29 +22,28 @@ class RecordedScene {
  public:
   /// Loads the mesh of an object.
   using LoadMesh = std::function<LoadedMesh(const std::string& uri)>;
-  /// Called as SceneFeed::Handlers::on_news, at the record time [ns].
+  /// See SceneFeed::Handlers::on_news; `now` is the record time [ns].
   using OnNews = std::function<void(std::int64_t now)>;
   /// Called after each message and tick, at the record time [ns].
   using OnStep = std::function<void(std::int64_t now, bool is_tick)>;
 
-  /// `tf_topic` has transforms; the static ones are on its name with "_static".
+  /// `tf_topic` has the moving transforms; static ones are on the same name with "_static".
   RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
                 const std::string& tf_topic = "/tf");
 
-  /// To be called before the first message, at the time of that one.
+  /// Call it before the first message; `now` is the time of that message.
   void adopt(std::shared_ptr<const Model> model, std::int64_t now);
 
-  /// Lets time pass to that of the message, with the ticks on the way, then takes the message.
-  /// False if it was interrupted before the end; then the message was not taken, or in part, and
-  /// nothing may be taken any more. Throws UsageError if the topic has messages of another type
-  /// than transforms or markers.
+  /// Lets time pass up to the message, with the ticks on the way, then takes the message. False if
+  /// it was interrupted: the message was taken in part or not at all, and no more messages may be
+  /// taken. Throws UsageError if the topic has messages of another type than transforms or markers.
   bool take(const BagMessage& message);
 
-  /// Takes the positions of joints on this topic as transforms. To be called before the first
-  /// message; takes the fixed joints at once. `joints` must outlive this.
+  /// Takes the positions of joints on this topic as transforms, and the fixed joints at once. Call
+  /// it before the first message. `joints` must outlive this.
   void takeJoints(const std::string& topic, JointTransforms& joints);
 
-  /// Takes static transforms at once, whatever their topic and time. Not to be called after take().
+  /// Takes static transforms at once, whatever their topic and time. Do not call it after take().
   void takeStatic(const BagMessage& message);
 
   /// Lets time pass, with its ticks, without a message. False if it was interrupted on the way.
@@ -57,18 +56,18 @@ class RecordedScene {
   TransformBuffer& tf() { return feed_.tf(); }
   const TransformBuffer& tf() const { return feed_.tf(); }
 
-  /// Messages that were taken.
+  /// Number of messages with transforms or joint states that were taken.
   std::uint64_t transforms() const { return transforms_; }
 
-  /// Whether a message of that time makes the clock jump back, and tf forget.
+  /// Whether a message at that time would make the clock jump back, and tf forget.
   bool goesBackTo(std::int64_t time) const { return feed_.clock().isJumpBack(toRosTime(time)); }
 
-  /// Messages that could not be read.
+  /// Number of messages that could not be read.
   std::uint64_t damaged() const { return damaged_; }
 
   const ObjectTopics& objectTopics() const { return object_topics_; }
 
-  /// Messages of joints with another number of positions than of names.
+  /// Number of joint states that have not one position per name.
   std::uint64_t unfit() const { return unfit_; }
 
  private:
@@ -89,7 +88,7 @@ class RecordedScene {
   OnStep on_step_;
   std::int64_t now_ = 0;        ///< record time [ns]
   std::int64_t next_tick_ = 0;  ///< record time [ns]
-  std::int64_t passed_ = 0;     ///< time that has passed, where record time goes forward [ns]
+  std::int64_t passed_ = 0;     ///< sum of the forward steps of record time [ns]
   SceneFeed feed_;
   ObjectTopics object_topics_{feed_.scene().objects};
   TfMessage tf_message_;

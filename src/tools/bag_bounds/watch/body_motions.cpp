@@ -11,7 +11,8 @@
 namespace link_bounds {
 namespace {
 
-/// Frames of objects that are gone are followed until there are so many.
+/// Max number of followed frames; beyond it, all are forgotten, among them those of objects that
+/// are gone.
 constexpr std::size_t kMaxFollowed = 1000;
 
 }  // namespace
@@ -109,7 +110,7 @@ FrameView::Placed BodyMotions::placedIn(const SceneBody& body) {
   return view_ ? view_->placed(body) : placedInScene(body);
 }
 
-/// In the scene's own frame a body that does not follow another one stands.
+/// In the scene's fixed frame, an object that does not follow a frame stands still.
 FrameView::Placed BodyMotions::placedInScene(const SceneBody& body) const {
   if (body.link) return {body.state, body.state.stamp};
   const bool moves = body.state.box && !scene_.boxSource(body).frame_from_body;
@@ -131,8 +132,8 @@ void BodyMotions::followView() {
   if (last == 0 || stamp < last) view_since_ = stamp;
 }
 
-/// Sets where the body, a link or an object that was placed once, was in the view at the earliest
-/// time that is known. The way of a link from an unknown place is undecided.
+/// Sets the begin of a motion: the box in the view at the earliest time that tf knows, for a link
+/// or an object that was placed once. If a link has no pose then, its motion will be undecided.
 void BodyMotions::beginKnown(Last& last, const BoxSource& source,
                              const FrameView::Placed& placed) const {
   const bool is_link = !source.object;
@@ -158,7 +159,7 @@ bool BodyMotions::hasRest(const Last& last, const SceneBody& body) const {
   return (body.link || body.state.box) && scene_.boxSource(body).object == last.object;
 }
 
-/// In the scene's fixed frame, from where the view was last.
+/// The motion in the scene's fixed frame since the view was last known.
 const BodyMotion& BodyMotions::rest(Last& last, const SceneBody& body) {
   const BoxSource source = scene_.boxSource(body);
   const MotionSpan span{last.stamp, std::exchange(last.ahead, 0)};
@@ -177,7 +178,7 @@ const BodyMotion& BodyMotions::rest(Last& last, const SceneBody& body) {
   return motion_;
 }
 
-/// Whose stand is over, or whose view was lost.
+/// Forgets objects whose time is over, or for which the view was lost.
 void BodyMotions::forgetFormers(Last& last) const {
   const auto is_over = [this](const Former& former) {
     return former.stamp >= former.until || former.stamp < view_since_;
@@ -186,7 +187,7 @@ void BodyMotions::forgetFormers(Last& last) const {
                      last.formers.end());
 }
 
-/// The view may be lost meanwhile.
+/// Notes an object that was replaced, even if the view is lost now.
 void BodyMotions::noteReplaced(Last& last, const SceneBody& body) const {
   if (!last.place || !body.state.box || last.stamp == 0 || last.stamp < view_since_) return;
   const BoxSource source = scene_.boxSource(body);
@@ -196,7 +197,7 @@ void BodyMotions::noteReplaced(Last& last, const SceneBody& body) const {
   last.forget();
 }
 
-/// In the view, as far as it has come. Null if there is no such motion.
+/// The motion in the view up to its newest stamp; null if there is none.
 const BodyMotion* BodyMotions::untilReplaced(Former& former) {
   const MotionSpan span{former.stamp, std::min(former.until, view_stamp_)};
   if (span.begin >= span.end) return nullptr;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the bodies of a scene moved from one look at them to the next, in one frame.
+// Motions of the bodies of a scene between two looks at them, in one frame.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,18 @@
 namespace link_bounds {
 
 /// The boxes of a scene with the axes of another frame, by a second tracker over the same
-/// transforms. Each box is that of the body itself, not a box around the scene's box. Links, and
-/// objects that follow a frame, are where tf has them in this frame; objects that were placed once
+/// transforms. Each box is computed from the body itself, not from the scene's box. Links, and
+/// objects that follow a frame, are where tf has them in this frame. Objects that were placed once
 /// move with the scene's fixed frame.
 class FrameView {
  public:
-  /// Both must outlive this; the scene has a model.
+  /// `scene` and `tf` must outlive this; the scene must have a model.
   FrameView(const std::string& frame, Scene& scene, TransformBuffer& tf, ros::Time now);
 
-  /// To be called after each message. True if a box of a link changed.
+  /// Call it after each message. True if a box of a link changed.
   bool update(ros::Time now);
 
-  /// To be called with each tick. True if a box of a link changed.
+  /// Call it with each tick. True if a box of a link changed.
   bool expire(ros::Time now);
 
   TransformBuffer::Frame frame() const { return *frames_.fixedFrame(); }
@@ -41,7 +41,8 @@ class FrameView {
   /// A body of the scene.
   Placed placed(const SceneBody& body);
 
-  /// The stamp of the scene's fixed frame in the view; 0 if there is none, or if it stands.
+  /// Stamp of the pose of the scene's fixed frame in the view [ns]; 0 if it has no pose or is
+  /// static.
   std::int64_t fixedStamp();
 
  private:
@@ -51,23 +52,24 @@ class FrameView {
   FrameTracker frames_;
   LiveBoxes links_;
   struct Followed {
-    TransformBuffer::Hold hold;  ///< while it is followed; the frame may be forgotten later
+    TransformBuffer::Hold hold;  ///< keeps the frame in tf while it is followed
     FrameTracker::Handle handle;
   };
-  std::map<std::string, Followed> followed_;  ///< of objects, and the fixed frame
+  std::map<std::string, Followed> followed_;  ///< by name: frames of objects, the fixed frame
 };
 
 /// A motion, as tf2 interpolates it. Valid until tf changes.
 struct BodyMotion {
   MotionSpan span;  ///< the stamps of both boxes
   Aabb before;      ///< the box at its begin
-  double way;       ///< that no point of the body exceeds [m]; may be infinite
+  double way;       ///< upper bound on the path length of all points [m]; may be infinite
   TransformBuffer::Frame target;
   TransformBuffer::Frame source;  ///< the frame of the body, or the one in which it was placed
   const BoundedLink* link;        ///< its shapes
-  const Eigen::Affine3d* source_from_link;            ///< null: as they are
+  const Eigen::Affine3d* source_from_link;            ///< null: identity
   std::optional<Eigen::Affine3d> view_from_target{};  ///< nothing: the box has the target's axes
-  /// Of an object that was replaced at the end: so much older is that than the newest stamp [ns].
+  /// For an object that was replaced at the end: by how much the end is older than the newest stamp
+  /// [ns].
   std::optional<std::int64_t> since_replaced{};
   bool is_begin_new = false;  ///< the box at its begin was not visited
 };
@@ -76,27 +78,28 @@ struct BodyMotion {
 /// as long as it is there.
 using BodyNumber = std::uint64_t;
 
-/// All points of the shapes are at most so far from the origin of the motion's source [m].
+/// Upper bound on the distance of all points of the shapes from the origin of the source frame [m].
 double radiusOf(const BodyMotion& motion);
 
-/// A body moves while the stamp of its box grows, from one transform to a later one, however long
-/// that takes, and whether or not its box was lost meanwhile; a link, from the first stamp at which
-/// tf knows it. It does not move, but is another one, where a marker came again, and where the
-/// clock jumped back. An object that is placed once stands since its stamp.
+/// A body moves while the stamp of its box grows: from one transform to a later one, however long
+/// that takes, even if its box was lost meanwhile. A link moves from the first stamp at which tf
+/// knows it. A marker that came again is another body, and so is every body after a backward jump
+/// of the clock; there is no motion to them. An object that is placed once stands still since its
+/// stamp.
 class BodyMotions {
  public:
-  /// `view` has the axes of another frame than the scene's fixed one; null: these. All must outlive
-  /// this.
+  /// `view` shows the scene in another frame than its fixed one; null: in the fixed frame. All must
+  /// outlive this.
   BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view);
 
-  /// To be called before the first forEach(), also after finish(), when boxes change: links, and
-  /// objects that follow a frame, move from there, also those that are lost when it begins.
+  /// Call it when boxes change before the first forEach(), also after finish(). Links, and objects
+  /// that follow a frame, then move from here, even if they are lost at the first forEach().
   void remember();
 
   /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
-  /// since the last call. Before it, calls visit_rest(number, name, motion) where the view was lost
-  /// before the body moved on: of that motion, beside the last place of the view; and of an object
-  /// that was placed once, until the stamp of the one that replaced it.
+  /// since the last call. Before it, calls visit_rest(number, name, motion) in two cases: the view
+  /// was lost before the body moved on; then the motion is relative to the last pose of the view.
+  /// Or an object that was placed once was replaced; then it stands until the stamp of the new one.
   template <class VisitRest, class Visit>
   void forEach(VisitRest&& visit_rest, Visit&& visit) {
     ++pass_;
@@ -114,7 +117,7 @@ class BodyMotions {
     forgetObjects(visit_rest);
   }
 
-  /// All motions are over: calls visit_rest as above. To be called before tf forgets.
+  /// Ends all motions: calls visit_rest as above. Call it before tf forgets.
   template <class VisitRest>
   void finish(VisitRest&& visit_rest) {
     scene_.forEach([&](const SceneBody& body) {
@@ -143,16 +146,16 @@ class BodyMotions {
 
   struct Last {
     std::int64_t stamp = 0;  ///< of the newest pose; 0: there was none, or it does not move
-    std::int64_t ahead = 0;  ///< that of the scene's box, as long as it is newer; else 0
+    std::int64_t ahead = 0;  ///< stamp of the scene's box, if it may be newer; else 0
     Aabb box;
-    bool is_new = false;                          ///< the box was not visited
+    bool is_new = false;                          ///< `box` was not visited
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
     std::optional<Eigen::Affine3d> place;  ///< in the scene's fixed frame, if it stands there
     std::vector<Former> formers;
     BodyNumber number = 0;
-    std::uint64_t seen = 0;  ///< pass
+    std::uint64_t seen = 0;  ///< the last pass with this body
 
-    /// All but what was replaced before.
+    /// Keeps only the number and the objects that were replaced before.
     void forget() {
       stamp = ahead = 0;
       object.reset();
@@ -181,7 +184,8 @@ class BodyMotions {
     }
   }
 
-  /// What was replaced by one of them stands until its stamp nevertheless.
+  /// Forgets objects that are gone, but not those that they replaced, which stand until their
+  /// stamp.
   template <class VisitRest>
   void forgetObjects(VisitRest&& visit_rest) {
     if (last_objects_.size() == scene_.objects.objects().size()) return;
@@ -202,7 +206,7 @@ class BodyMotions {
   WayBound scene_ways_;
   TransformBuffer::Frame target_;
   std::int64_t view_stamp_ = 0;  ///< of the scene's fixed frame in the view; 0: none, or it stands
-  std::int64_t view_since_ = 0;  ///< the motions that lead there begin
+  std::int64_t view_since_ = 0;  ///< begin of the motions up to view_stamp_
   std::vector<double> radii_;    ///< of the links
   std::vector<Last> last_links_;
   std::map<ObjectKey, Last> last_objects_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Trees come back within the request, so that nothing waits for them.
+// Triangle trees are loaded within the request, so no computation waits for them.
 #include "tools/bag_bounds/watch/nearest_pairs.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace link_bounds {
 namespace {
 
-/// Time stands still: lists of markers settle at once.
+/// Two fixed times, so that lists of markers settle at once.
 constexpr TriangleTrees::Time kNow{};
 constexpr TriangleTrees::Time kSettled = kNow + std::chrono::hours(1);
 
-/// A contact is one for any limit.
+/// A contact is a finding for any limit, also for 0.
 bool isFinding(const Distance& distance, double limit) {
   return distance.distance < limit || distance.distance == 0;
 }
@@ -128,7 +128,7 @@ void NearestPairs::takeUndecided(const std::string& first, const std::string& se
   if (undecided_++ == 0) first_undecided_ = first + " and " + second + ": " + why;
 }
 
-/// Nothing if it was interrupted: without all trees, distances are smaller than they need be.
+/// std::nullopt if it was interrupted: without all trees, lower bounds are smaller than necessary.
 std::optional<ComputedDistances> NearestPairs::compute(const MomentPtr& moment) try {
   auto computed = distances_.compute(moment, moment_pairs_, kNow, isInterrupted);
   const std::uint64_t version = distances_.trees().version();
@@ -153,7 +153,7 @@ void NearestPairs::keep(const Distance& distance, const RecordTime& when) {
   }
 }
 
-/// Objects may come again in another order.
+/// Looks for both orders of the names: objects may come again in another order.
 NearestPairs::Pairs::iterator NearestPairs::find(const std::string& first,
                                                  const std::string& second) {
   const auto found = pairs_.find({first, second});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How near each pair of bodies came, by proven distances.
+// The nearest distance of each pair of bodies, proven.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 namespace link_bounds {
 
 struct NearestPair {
-  Distance distance;  ///< that of the smallest lower bound, of all poses that were looked at
+  Distance distance;  ///< the smallest lower bound of all poses that were examined
   RecordTime when;
   double clearance = 0;  ///< proven: they never came nearer, also between messages [m]
 };
@@ -41,11 +41,12 @@ class NearestPairs {
   /// See PairMotions.
   void remember(const Scene& scene, std::int64_t now) { motions_.remember(scene, now); }
 
-  /// The scene must have a model. Looks at the motions since the last call, too. Adds less, or
-  /// nothing, if it is interrupted.
+  /// The scene must have a model. Also examines the motions since the last call. Adds only a part,
+  /// or nothing, if it is interrupted.
   void add(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
 
-  /// To be called at the end of the report, and before tf forgets: the bodies stay where they are.
+  /// Call it at the end of the report and before tf forgets: takes the bodies to stay where they
+  /// are.
   void endMotions(const TransformBuffer& tf);
 
   /// The distances of the last add().
@@ -56,21 +57,21 @@ class NearestPairs {
 
   std::uint64_t pairsLeftOut() const { return left_out_; }
 
-  /// Whether a distance was below the limit of the model.
+  /// Whether a distance was below the limit of the model, or a contact.
   bool wasUndercut() const { return was_undercut_; }
 
   /// Whether any two bodies were compared, whatever their distance.
   bool hasCompared() const { return has_compared_; }
 
-  /// Motions between messages of which it is not known how near two bodies came.
+  /// Number of motions between messages for which it is not known how near two bodies came.
   std::uint64_t undecided() const { return undecided_; }
-  /// The first of these, in words.
+  /// A message about the first of them.
   const std::string& firstUndecided() const { return first_undecided_; }
 
-  /// Whether the last step was not looked at, or in part.
+  /// Whether the last step was examined only in part or not at all.
   bool wasInterrupted() const { return was_interrupted_; }
 
-  /// Names of which not all distances are known, although they have boxes.
+  /// Names of bodies that have boxes, but for which some distances are missing.
   const std::set<std::string>& incomplete() const { return incomplete_; }
 
   /// Meshes that count as their convex hull, with the reason.
@@ -99,7 +100,7 @@ class NearestPairs {
   std::set<std::string> incomplete_;
   std::uint64_t undecided_ = 0;
   std::string first_undecided_;
-  std::uint64_t left_out_ = 0;  ///< distances of further pairs
+  std::uint64_t left_out_ = 0;  ///< distances of pairs beyond kMaxPairs
   bool was_undercut_ = false;
   bool has_compared_ = false;
   bool was_interrupted_ = false;

@@ -19,7 +19,7 @@ Eigen::Affine3d withOffset(const Eigen::Affine3d& pose, const Eigen::Affine3d* o
   return offset ? pose * *offset : pose;
 }
 
-/// Halves the time until the way of a piece is shorter than the distances at its ends allow.
+/// Halves the time until the distances at both ends of a piece outweigh the way between them.
 class PairWalker {
  public:
   struct Made {
@@ -43,8 +43,8 @@ class PairWalker {
     return Made{first_from_second, found->lower};
   }
 
-  /// Of a point at a distance of r from the origin, the chord is at most the origin's and r times
-  /// that of the rotation, which is its Frobenius norm over the root of 2.
+  /// For a point at distance r from the origin, the chord is at most that of the origin plus r
+  /// times that of the rotation, which is the Frobenius norm of its change over the root of 2.
   bool isCovered(const Placed& from, const Placed& to, const Bulge& bulge) {
     const Eigen::Affine3d& a = from.made->pose;
     const Eigen::Affine3d& b = to.made->pose;
@@ -67,7 +67,7 @@ class PairWalker {
   std::int64_t stamp() const { return stamp_; }
 
  private:
-  /// While no pose is below the limit, none between two poses may be, either.
+  /// Once a pose is below the limit, a clearance just below the nearest pose is enough, too.
   double wanted() const {
     if (nearest_ >= limit_) return wanted_;
     return std::min(wanted_, std::max(nearest_ - kPairAccuracy, 0.0));

@@ -13,19 +13,20 @@
 
 namespace link_bounds {
 
-/// What is proven is at most so far from the nearest pose that was looked at [m], where that is
-/// farther away. Of a pair that is not below the limit, all motions are proven to stay there.
+/// Max gap between the proven clearance and the nearest pose that was examined, if that pose is
+/// farther away than this [m]. If no pose is below the limit, all motions are proven to stay above
+/// it.
 constexpr double kPairAccuracy = 1e-3;
 
 /// A body that moves with a frame of tf.
 struct FramedBody {
   const Body* body = nullptr;  ///< null until it is measured
   TransformBuffer::Frame frame = 0;
-  const Eigen::Affine3d* offset = nullptr;  ///< of the body in that frame; null: none
+  const Eigen::Affine3d* offset = nullptr;  ///< pose of the body in that frame; null: identity
   double radius = 0;                        ///< about the origin of the frame [m]
 };
 
-/// Between poses of their frames. Nothing if it is above `limit`.
+/// The distance of two bodies at poses of their frames; std::nullopt if it is above `limit` [m].
 std::optional<BodyDistance> distanceOf(const FramedBody& first, const Eigen::Affine3d& first_pose,
                                        const FramedBody& second, const Eigen::Affine3d& second_pose,
                                        double limit);
@@ -33,12 +34,13 @@ std::optional<BodyDistance> distanceOf(const FramedBody& first, const Eigen::Aff
 struct PairFinding {
   double clearance;  ///< proven: they never came nearer [m]
   std::optional<std::int64_t>
-      nearest_stamp;      ///< of the nearest pose that was looked at, if any was
+      nearest_stamp;      ///< stamp of the nearest pose that was examined, if any
   std::string undecided;  ///< why they may have come nearer than `wanted`; "" if they did not
 };
 
-/// Clearances above `wanted` are not refined; while no pose is below `limit`, none between two
-/// poses may be, either. Such a search is expensive: a bound of the way decides most motions.
+/// Clearances above `wanted` [m] are not refined. Once a pose is below `limit` [m], a clearance
+/// just below the nearest pose is enough, too. The search is expensive: a bound on the way decides
+/// most motions without it.
 PairFinding searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
                        MotionSpan span, double wanted, double limit,
                        const std::function<bool()>& gives_up);

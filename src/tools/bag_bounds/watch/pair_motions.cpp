@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The second body moves in the frame of the first one.
+// A pair is examined as a motion of the second body in the frame of the first one.
 #include "tools/bag_bounds/watch/pair_motions.h"
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace {
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// So many objects that are gone are looked at: those of some seconds, where many change often.
+/// Max number of gone objects that are examined: those of some seconds, if many change often.
 constexpr std::size_t kMaxGone = 10'000;
 
-/// From this stamp on tf knows where the link is. The box of a link may come later, as where a
-/// message has several transforms of one frame.
+/// The first stamp at which tf knows the pose of the link [ns]. Its box may come later, for example
+/// if a message has several transforms of one frame.
 std::int64_t firstStampOf(const Model& model, std::size_t link, const TransformBuffer& tf) {
   const auto fixed = tf.find(model.fixed_frame), frame = tf.find(model.frames[link]);
   return fixed && frame ? oldestKnown(tf, *fixed, *frame) : 0;
@@ -33,13 +33,14 @@ void stand(MovedBody& body, TransformBuffer::Frame frame, const Eigen::Affine3d&
   body.radius = pose.translation().norm() + pose.linear().norm() * body.radius;
 }
 
-/// Then what moved beside a body at rest is looked at, before tf forgets it [ns].
+/// After a rest of this length, motions beside the body at rest are examined, before tf forgets
+/// them [ns].
 constexpr std::int64_t kLongestRest = EdgeHistory::kLength / 2;
 
-/// Until when the movers of a moment were compared with bodies at rest [ns].
+/// Up to which stamps the movers of a moment were compared with bodies at rest [ns].
 struct RestTimes {
-  std::int64_t newest = 0;  ///< stamp of all
-  std::int64_t end = 0;     ///< up to this one, all that move were looked at beside those at rest
+  std::int64_t newest = 0;  ///< newest stamp of all movers
+  std::int64_t end = 0;     ///< up to here, moving bodies were examined beside those at rest
 
   explicit RestTimes(const std::vector<MovedBody>& movers) {
     for (const MovedBody& mover : movers)
@@ -72,8 +73,9 @@ void PairMotions::remember(const Scene& scene, std::int64_t now) {
   forgetObjects();
 }
 
-/// Finds which objects of the last moment are gone. Earlier ones stay while needed. One that was
-/// replaced stands until the stamp of the new one, which may be ahead of the recorder.
+/// Finds the objects of the last moment that are gone. Earlier ones stay while they are needed. An
+/// object that was replaced stands until the stamp of the new one, which may be ahead of the
+/// recorder.
 void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& means) {
   const std::size_t count = moment_ ? moment_->bodies.size() - needed_gone_ : 0;
   const std::size_t known_gone = gone_.size();
@@ -111,16 +113,16 @@ void PairMotions::compareClocks(std::int64_t stamp, std::int64_t now) {
   delay_ = std::min(delay_.value_or(MovedBody::kForEver), now - stamp);
 }
 
-/// By the clock of stamps. Where that is the recorder's, no transform is recorded before its stamp,
-/// and one of them soon after it. Else the smallest delay counts as the difference of the clocks,
-/// although it includes the latency of that transform, which is not known.
+/// Converts a record time to the clock of stamps. If both clocks are the same, no delay is negative
+/// and the min is small. Otherwise the min delay counts as the difference of the clocks, although
+/// it includes the latency of that transform, which is not known.
 std::int64_t PairMotions::stampAt(std::int64_t recorded) const {
   const std::int64_t delay = delay_.value_or(0);
   return delay < 0 || delay > kLongestRest ? recorded - delay : recorded;
 }
 
-/// No motion that is not yet known begins before this stamp. A link that never had a box may come
-/// with all that tf knows of it, which may be later than others are.
+/// No motion that is not known yet begins before this stamp. A link that never had a box may still
+/// come with all that tf knows of it, and its stamps may lag behind those of others.
 std::int64_t PairMotions::oldestNeeded(std::int64_t newest) const {
   std::int64_t oldest = MovedBody::kForEver;
   std::size_t links = 0;
@@ -135,9 +137,9 @@ std::int64_t PairMotions::oldestNeeded(std::int64_t newest) const {
   return lacks_link ? std::min(oldest, newest - 2 * EdgeHistory::kLength) : oldest;
 }
 
-/// When the stamps of all bodies that move have passed the deletion. A body without new stamps may
-/// move on later, because tf may only have stalled. So objects that are dropped because they are
-/// too old or too many are remembered by name until then.
+/// Forgets gone objects once the stamps of all moving bodies have passed their end. A body without
+/// new stamps may move on later, because tf may only have stalled. So objects that are dropped
+/// earlier, because they are too old or too many, are remembered by name until then.
 void PairMotions::forgetGone() {
   std::int64_t newest = 0;
   for (const auto& [key, known] : known_)
@@ -161,7 +163,7 @@ void PairMotions::forgetGone() {
   gone_ = std::move(kept);
 }
 
-/// The moment, and the objects that are gone but were there when a motion began that ends now.
+/// The moment, plus the gone objects that were there when a motion began that ends now.
 MomentPtr PairMotions::withGone(const MomentPtr& moment, const TransformBuffer& tf) {
   needed_gone_ = 0;
   if (gone_.empty()) return moment;
@@ -237,7 +239,8 @@ void PairMotions::finish(const Means& means) {
   delay_.reset();
 }
 
-/// Pairs that were within the limit before they moved that far, in all.
+/// Pairs of the moment within the limit plus `way` [m]: before they moved so far, they may have
+/// been within the limit.
 std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, const Means& means) {
   std::vector<BoxPair> near;
   const double margin = moment->model->parameters.distance_limit + way;
@@ -247,9 +250,9 @@ std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, cons
   return near;
 }
 
-/// Remembers the stamps of this moment for the next ones. Says of the movers of the last moment
-/// which of them go on. A body that does not move always does. What moves on from a stamp was not
-/// looked at beside those at rest since then.
+/// Remembers the stamps of this moment for the next ones, and sets which movers of the last moment
+/// go on; a body that does not move always does. The motion of a body that goes on was not yet
+/// examined beside bodies that rest since its stamp.
 void PairMotions::findBegins(const Moment& moment, const TransformBuffer& tf,
                              std::vector<MovedBody>& last_movers) {
   const RestTimes rests(last_movers);
@@ -293,8 +296,8 @@ void PairMotions::forgetObjects() {
   }
 }
 
-/// Of a pair, the motion is looked at that begins where the one of the older stamps was; of what is
-/// placed now, as far as tf remembers.
+/// Sets the way of each mover. The motion of a pair is examined from the older of its two stamps
+/// on, with an object that is placed now as far back as tf remembers.
 void PairMotions::findWays(const TransformBuffer& tf, Frame fixed) {
   WayBound& ways = ways_.try_emplace(fixed, *edges_, fixed).first->second;
   std::int64_t moved = MovedBody::kForEver;   // begin of a motion that ends now
@@ -333,7 +336,7 @@ MovedBody PairMotions::moverOf(const Moment::Body& body, const TransformBuffer& 
   return mover;
 }
 
-/// `body` is that of the moment.
+/// `body` is the entry of the gone object in the moment.
 MovedBody PairMotions::moverOf(const Gone& gone, const Moment::Body& body,
                                const TransformBuffer& tf) const {
   MovedBody mover = moverOf(body, tf);
@@ -347,7 +350,7 @@ MovedBody PairMotions::moverOf(const Gone& gone, const Moment::Body& body,
   return mover;
 }
 
-/// A motion before one of both was known was that of others. An object may have been placed by an
+/// Examines a pair from the time on at which both are known. An object may have been placed with an
 /// older stamp than tf still knows.
 void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   MovedBody& first = movers_[pair.first];
@@ -375,7 +378,7 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   lookDuring(span, *moment_, pair, first, second, *wanted, lease, means);
 }
 
-/// Where these were is not known: whether they were near is undecided.
+/// Their places are not known, so it is undecided whether movers came near them.
 void PairMotions::lookAtForgotten(const Means& means) const {
   if (forgotten_.empty()) return;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
@@ -391,12 +394,12 @@ void PairMotions::lookAtForgotten(const Means& means) const {
   }
 }
 
-/// The movers are those of the last moment.
+/// `movers` are those of the last moment.
 void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means& means) {
   std::int64_t oldest = 0;
   for (const MovedBody& mover : movers)
     oldest = olderStamp(oldest, std::max(mover.end, mover.rested));
-  std::int64_t begin = 0;  // no motion that is looked at begins earlier
+  std::int64_t begin = 0;  // no examined motion begins earlier
   for (const MovedBody& mover : movers) {
     if (mover.end != 0 && !mover.goes_on)
       begin = olderStamp(begin, std::max({mover.since, mover.reported, oldest}));
@@ -417,7 +420,8 @@ void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means&
   }
 }
 
-/// Of a pair of the last moment: how the body of the newer stamp moved beside the other one.
+/// For a pair of the last moment: examines how the body of the newer stamp moved beside the other
+/// one.
 void PairMotions::lookAtRest(const BoxPair& pair, MovedBody first, MovedBody second,
                              const Means& means) {
   if ((first.goes_on && second.goes_on) || first.end == 0 || second.end == 0) return;
@@ -435,7 +439,7 @@ void PairMotions::lookAtRest(const BoxPair& pair, MovedBody first, MovedBody sec
   lookDuring(span, *last_, pair, first, second, *wanted, lease, means);
 }
 
-/// Renews the lease, which ends where the span begins.
+/// Examines a pair during `span`, and renews its lease, which must end where the span begins.
 void PairMotions::lookDuring(MotionSpan span, const Moment& moment, const BoxPair& pair,
                              MovedBody& first, MovedBody& second, double wanted, Lease& lease,
                              const Means& means) {
@@ -461,7 +465,7 @@ void PairMotions::lookDuring(MotionSpan span, const Moment& moment, const BoxPai
   means.handlers.on_motion(moment, motion);
 }
 
-/// The points of the nearest pose are wanted in the fixed frame.
+/// Searches the motion itself. The points of the nearest pose are needed in the fixed frame.
 void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSpan span,
                        double wanted, const Means& means, PairMotion& motion) const {
   const TransformBuffer& tf = means.tf;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How near two bodies came between two messages.
+// The distance of two bodies during their motions between two messages.
 #pragma once
 
 #include <cstdint>
@@ -26,49 +26,48 @@ struct PairMotion {
   std::size_t second;
   /// Proven: the bodies never came nearer [m].
   double clearance;
-  /// The nearest pose of all that were looked at, if any was.
+  /// The nearest pose that was examined, if any.
   std::optional<BodyDistance> nearest;
-  std::int64_t stamp = 0;     ///< of that pose
+  std::int64_t stamp = 0;     ///< of that pose [ns]
   std::int64_t duration = 0;  ///< from it to the end of the motion [ns]
-  std::string undecided;  ///< why it may have come below `wanted` nevertheless; "" if it did not
+  std::string undecided;      ///< why they may have come nearer than `wanted`; "" if they did not
 };
 
 /// A body of a moment.
 struct MovedBody : FramedBody {
   static constexpr std::int64_t kForEver = std::numeric_limits<std::int64_t>::max();
 
-  std::int64_t begin = 0;  ///< stamps of its motion; 0: does not move
+  std::int64_t begin = 0;  ///< stamps of its motion [ns]; 0: it does not move
   std::int64_t end = 0;
   std::int64_t since = 0;         ///< its motion is known from this stamp on
-  std::int64_t reported = 0;      ///< its motion is examined from here on beside what is placed now
-  std::int64_t rested = 0;        ///< others near its last place were examined until then
+  std::int64_t reported = 0;      ///< examined from here on beside objects that are placed now
+  std::int64_t rested = 0;        ///< motions beside its last place were examined until here
   bool was_there = false;         ///< its motion to `end` is known, or it does not move
-  bool is_placed_now = false;     ///< in this step, where it stands since an earlier stamp
-  bool goes_on = false;           ///< the next moment has it, too, and looks at what follows `end`
+  bool is_placed_now = false;     ///< placed in this step, maybe with an earlier stamp
+  bool goes_on = false;           ///< the next moment has it and examines its motion from `end` on
   std::int64_t until = kForEver;  ///< when it was deleted
-  std::int64_t moved_until = 0;   ///< before that; 0: it is there, or does not move
-  double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
+  std::int64_t moved_until = 0;   ///< last stamp of its motion, if it was deleted; else 0
+  double way = 0;                 ///< in the fixed frame, since its motion was last examined [m]
 
   bool isGone() const { return until != kForEver; }
 };
 
-/// Remembers of each pair how far apart it was proven to be. It cannot come within a limit before
-/// its bodies have moved by the rest: most motions need one look at the edges between them, and no
-/// distance.
+/// Remembers a proven distance of each pair. The pair cannot come within a limit before its bodies
+/// have moved by the difference. So most motions need a bound on their way, but no distance.
 class PairMotions {
  public:
   struct Handlers {
     /// Clearances above this need not be refined [m]; nothing if the pair is not of interest.
     std::function<std::optional<double>(const Moment&, const BoxPair&)> wanted;
-    /// A motion of a pair of the moment, whose clearance may be below that.
+    /// Called for each motion that was examined, also if its clearance is above `wanted`.
     std::function<void(const Moment&, const PairMotion&)> on_motion;
-    /// The body of the first name moved, maybe beside the object of the second one, which was
-    /// deleted meanwhile: where that was is forgotten.
+    /// The first body moved, maybe near the second one, an object that was deleted meanwhile and
+    /// whose place is forgotten.
     std::function<void(const std::string&, const std::string&)> on_forgotten;
     std::function<bool()> gives_up;
   };
 
-  /// What a look needs. `tf` is the same one in all calls.
+  /// Arguments of all steps. `tf` must be the same one in all calls.
   struct Means {
     MomentPairs& pairs;
     const LiveBodies& bodies;
@@ -76,26 +75,26 @@ class PairMotions {
     const Handlers& handlers;
   };
 
-  /// To be called before the first moment, at the record time `now` [ns], when boxes change: links,
-  /// and objects that follow a frame, move from there, also those that are lost when it begins.
-  /// Does nothing after that, until finish().
+  /// Call it when boxes change before the first moment, at the record time `now` [ns]. Links, and
+  /// objects that follow a frame, then move from here, even if they are lost at the first moment.
+  /// Does nothing after the first moment, until finish().
   void remember(const Scene& scene, std::int64_t now);
 
-  /// To be called with each moment, while the bodies are those of the last one. Where one of these
-  /// is lost, or does not go on, others are looked at beside its last place, since its stamp. An
-  /// object that is not in the moment was deleted or replaced at `now`, the record time [ns], by
-  /// the clock of the stamps: until then, others are looked at beside it. Where it moved, it rests
-  /// from its last stamp on.
+  /// Call it with each moment, while `means.bodies` still has the bodies of the last one. If one of
+  /// these is lost, or does not go on, examines the motions of others beside its last place, since
+  /// its stamp. An object that is not in the moment was deleted or replaced at the record time
+  /// `now` [ns]. Until then, by the clock of the stamps, others are examined beside it. If it moved
+  /// before, it rests from its last stamp on.
   void begin(const MomentPtr& moment, std::int64_t now, const Means& means);
 
-  /// Looks at all motions from the last moments to this one, of the pairs of the moment's model,
-  /// also of bodies that were not in the last one, however long ago they were; of a link that is
-  /// first there, from the first stamp at which tf knows it; and from the stamp of an object that
-  /// was placed once to now, when it is first there. They are over where an object was replaced. To
-  /// be called after begin(), when the bodies are those of the moment.
+  /// Examines the motions of all pairs of the moment's model up to this moment. A motion begins at
+  /// the last stamp of the body, even if that was several moments ago. The motion of a new link
+  /// begins at the first stamp at which tf knows it, that of a new object which was placed once at
+  /// its stamp. Motions end where an object was replaced. Call it after begin(), when
+  /// `means.bodies` has the bodies of the moment.
   void look(const Means& means);
 
-  /// All motions are over. The next moment is a first one.
+  /// Ends all motions. The next moment counts as the first one.
   void finish(const Means& means);
 
  private:
@@ -103,11 +102,11 @@ class PairMotions {
 
   struct Lease {
     std::int64_t stamp = 0;
-    double distance = -std::numeric_limits<double>::infinity();  ///< proven then [m]
+    double distance = -std::numeric_limits<double>::infinity();  ///< proven at `stamp` [m]
   };
 
-  /// A link by its index + 1, an object by 0 and its content, which is another one when it comes
-  /// again. Names need not be unique.
+  /// A link by its index + 1; an object by 0 and its content, which is a new one when the object
+  /// comes again. Names would not do: they need not be unique.
   struct BodyKey {
     std::size_t link;
     std::weak_ptr<const ObjectContent> object;
@@ -124,22 +123,22 @@ class PairMotions {
   using PairKey = std::pair<BodyKey, BodyKey>;
 
   struct Known {
-    std::int64_t stamp;  ///< the last one
+    std::int64_t stamp;  ///< the last one [ns]
     std::int64_t since;
-    std::uint64_t pass;  ///< of that moment
-    std::size_t place;   ///< among its bodies
+    std::uint64_t pass;  ///< of the last moment with this body
+    std::size_t place;   ///< index among the bodies of that moment
     bool moves;
-    std::int64_t reported = 0;  ///< as of MovedBody
+    std::int64_t reported = 0;  ///< see MovedBody
   };
 
-  /// An object that is gone, while stamps of others are older than that. One that moved is there
-  /// twice: until its last stamp it moves, then it rests.
+  /// An object that is gone, kept while others have stamps before its end. An object that moved is
+  /// stored twice: it moves until its last stamp, then it rests.
   struct Gone {
     Moment::Body seen;
     std::shared_ptr<const Body> body;
     std::int64_t since;  ///< its motion, or its rest, is known from this stamp on
     std::int64_t until;  ///< the end of that; when it was deleted, by the clock of stamps
-    bool rests;          ///< in the fixed frame; else it is where its frame is
+    bool rests;          ///< stands in the fixed frame; else it is where its frame is
   };
 
   void findGone(const Moment& moment, std::int64_t now, const Means& means);
@@ -170,11 +169,11 @@ class PairMotions {
   MomentPtr last_;
   std::vector<Gone> gone_;
   std::map<std::string, std::int64_t> forgotten_;  ///< objects that are gone, with their `until`
-  std::int64_t forgotten_until_ = 0;               ///< the last one of these
-  std::optional<std::int64_t> delay_;  ///< the smallest one of a record time after its stamp [ns]
-  std::size_t needed_gone_ = 0;        ///< so many of them are the last bodies of the moment
-  std::vector<MovedBody> movers_;      ///< of the bodies of the moment
-  std::map<BodyKey, Known> known_;     ///< while the bodies exist
+  std::int64_t forgotten_until_ = 0;               ///< the latest of these
+  std::optional<std::int64_t> delay_;              ///< min of record time minus stamp [ns]
+  std::size_t needed_gone_ = 0;     ///< the first ones, which are the last bodies of the moment
+  std::vector<MovedBody> movers_;   ///< by body of the moment
+  std::map<BodyKey, Known> known_;  ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                              ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                             ///< by target

@@ -12,7 +12,7 @@ namespace link_bounds {
 namespace {
 
 constexpr int kMaxPosesInZone = 20'000;        // of one motion: 20 ms
-constexpr std::int64_t kCrossing = 1'000'000;  // ns, of the interval of a crossing
+constexpr std::int64_t kCrossing = 1'000'000;  // ns, max interval of a crossing
 
 class StaySearch {
  public:

@@ -13,33 +13,33 @@
 
 namespace link_bounds {
 
-/// Motions that are known no better than this stay undecided [ns].
+/// Time intervals shorter than this are not halved any more: their motion stays undecided [ns].
 constexpr std::int64_t kTimeResolution = 1'000;
 
-/// Of pathBetween(): a motion is one however far apart its stamps are.
+/// Timeout of pathBetween(): none, so the stamps of a motion may be any time apart.
 constexpr double kNoTimeout = 0;
 
-/// What is proven is at most so far from the nearest pose that was looked at [m], where that is
-/// farther away.
+/// Max gap between the proven clearance and the nearest pose that was examined, if that pose is
+/// farther away than this [m].
 constexpr double kZoneAccuracy = 1e-3;
 
 struct ZoneSearch {
-  /// Proven: no box on the way is nearer [m]; not above the distances at its ends.
+  /// Proven: no box on the way is nearer to the zone [m]. Never above the distances at both ends.
   double clearance = std::numeric_limits<double>::infinity();
   double nearest = std::numeric_limits<double>::infinity();  ///< of the poses that were tried
   std::int64_t nearest_stamp = 0;
-  /// A change of sides: it was on the other side at `before` and is on this one at `after`.
+  /// The body enters or leaves the zone between the stamps `before` and `after` [ns].
   struct Crossing {
     bool is_entry;
     std::int64_t before;
     std::int64_t after;
   };
   std::vector<Crossing> crossings;  ///< in the order of time
-  std::string undecided;            ///< why it is not known whether there are more; "" if it is
+  std::string undecided;            ///< why there may be more of them; "" if there are not
 };
 
-/// Of a body outside of the zone at both ends. Where the clearance is above `wanted`, it is not
-/// refined. Such a search is expensive: BodyMotion::way decides most motions.
+/// The body must be outside of the zone at the begin of the motion. Clearances above `wanted` [m]
+/// are not refined. The search is expensive: BodyMotion::way decides most motions without it.
 ZoneSearch searchZone(const TransformBuffer& tf, const BodyMotion& motion, const Aabb& zone,
                       double wanted, const std::function<bool()>& gives_up);
 

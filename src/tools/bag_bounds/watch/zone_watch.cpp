@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-/// The distance of two boxes changes by no more than this times what their points move.
+/// The distance of two boxes changes by no more than this times the way of their points.
 constexpr double kPerWay = 1.7321;  // sqrt(3), rounded up
 
 }  // namespace
@@ -44,7 +44,7 @@ void ZoneWatch::watch(Scene& scene, TransformBuffer& tf, ros::Time now) {
   }
 }
 
-/// A message without transforms leaves the poses as they are.
+/// Skips messages without transforms, which leave all poses as they are.
 void ZoneWatch::updateViews(ros::Time now) {
   if (tf_version_ == tf_->version()) return;
   tf_version_ = tf_->version();
@@ -81,7 +81,7 @@ void ZoneWatch::onStep(std::int64_t now, bool is_tick, bool is_reported) {
   }
 }
 
-/// How long all links that have a box could be compared.
+/// Adds up how long all links that have a box could be compared.
 void ZoneWatch::sample(Group& group, std::int64_t now) {
   if (!group.view) return;
   const std::int64_t passed = std::max<std::int64_t>(now - group.sampled.value_or(now), 0);
@@ -110,7 +110,7 @@ void ZoneWatch::note(bool ZoneRecord::*fault, const Group& group) {
     watched->record.*fault = true;
 }
 
-/// What comes after the last comparison is looked at by nobody.
+/// Notes zones with lost links: nothing is examined after the last comparison.
 void ZoneWatch::noteEnd(const Group& group) {
   if (group.view && group.has_boxes && !group.is_whole) note(&ZoneRecord::is_lost, group);
 }
@@ -162,8 +162,8 @@ void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
   inside->second.stamp = body.state.stamp;
 }
 
-/// It may have been inside there, where a marker had its place before tf said so, or where the
-/// report begins within the motion.
+/// The body may have been inside the zone when its motion began: if a marker had its place before
+/// tf showed that, or if the report begins within the motion.
 void ZoneWatch::visitBegin(Watched& watched, const Seen& body, std::int64_t now) const {
   const MotionSpan& span = body.motion->span;
   const RecordTime begin{now - (span.end - span.begin), span.begin};
@@ -175,7 +175,8 @@ void ZoneWatch::visitBegin(Watched& watched, const Seen& body, std::int64_t now)
   enter(watched, body, begin, std::nullopt);
 }
 
-/// Of a body that is inside now. It may have been inside when its box was lost.
+/// The last stamp outside, for a body that is inside now. Nothing if it may have been inside
+/// before.
 std::optional<std::int64_t> ZoneWatch::outsideAt(const Watched& watched, const Seen& body) {
   const bool was_outside =
       body.motion && signedDistance(body.motion->before, watched.record.zone.box) > 0;
@@ -188,8 +189,8 @@ void ZoneWatch::lookAtRest(Group& group, const Seen& body, std::int64_t now) {
     lookAtRest(*watched, body, since_replaced ? now - *since_replaced : group.compared);
 }
 
-/// Of a body in the scene's fixed frame, after the last transform of the zone's frame; or until it
-/// was replaced, when the stay goes on.
+/// Examines a motion in the scene's fixed frame after the last transform of the zone's frame, or
+/// the rest of an object until it was replaced. Only a replaced object's stay goes on.
 void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now) {
   ZoneRecord& record = watched.record;
   const double before = signedDistance(body.motion->before, record.zone.box);
@@ -209,7 +210,7 @@ void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now)
     end(watched, inside, StayEnd::kLost, {now, inside->second.stamp});
 }
 
-/// Of a body that is outside now. A pose is half of the way from one of both ends, or nearer.
+/// The body is outside now. Each pose is within half of the way from one of both ends.
 void ZoneWatch::lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now) {
   ZoneRecord& record = watched.record;
   const double before = signedDistance(body.motion->before, record.zone.box);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Who was in which zone, and how near the nearest body came.
+// Which bodies were in which zone, and how near the nearest body came.
 #pragma once
 
 #include <cstdint>
@@ -23,11 +23,11 @@ namespace link_bounds {
 /// How a stay in a zone ended: the box left, there was no box any more, or the report ended.
 enum class StayEnd { kLeft, kLost, kReportEnded };
 
-/// As in all formats.
+/// The word for it in all formats.
 const char* toText(StayEnd end);
 
-/// One body in one zone. Where it entered or left between two messages, that happened between two
-/// known stamps: `outside_at` and that of `entered`, `inside_at` and that of `left`.
+/// The stay of one body in one zone. An entry between two messages lies between the stamps
+/// `outside_at` and that of `entered`, an exit between `inside_at` and that of `left`.
 struct Stay {
   std::string name;
   RecordTime entered;
@@ -48,50 +48,51 @@ struct ZoneRecord {
   std::uint64_t entries = 0;
   std::vector<Stay> stays;               ///< the first kMaxStays of the entries, as they are found
   std::optional<Stay> first;             ///< the first entry in time, without its end
-  std::optional<NearestToZone> nearest;  ///< of all poses that were looked at
-  /// Proven: nothing that has a box ever came nearer, also between messages [m]; 0 if something
-  /// entered it, or if that is not decided.
+  std::optional<NearestToZone> nearest;  ///< of all poses that were examined
+  /// Proven: no body that has a box came nearer, also between messages [m]. 0 if a body entered the
+  /// zone, or if that is undecided.
   double clearance = std::numeric_limits<double>::infinity();
-  std::uint64_t undecided = 0;  ///< motions
-  std::string first_undecided;  ///< the first of these, in words
-  /// The share of the time in which links had boxes, in which all of these also had one in the
-  /// frame of the zone.
+  std::uint64_t undecided = 0;  ///< number of motions
+  std::string first_undecided;  ///< a message about the first of them
+  /// Share of the time in which links had boxes: while all of these links also had a box in the
+  /// frame of the zone (0 to 1).
   double coverage = 1;
-  bool is_lost = false;  ///< at the end, or where the clock jumped back, some of these had none
-  bool is_late = false;  ///< all first had one when tf had forgotten how they moved before
+  bool is_lost = false;  ///< at the end, or at a backward jump, a link lacked a box in that frame
+  bool is_late = false;  ///< all links first had one after tf forgot their earlier motions
 };
 
 /// A body is in a zone while its box, with padding, and the zone overlap or touch: at a message, or
-/// between two of them. Who is inside at both is not looked at between them.
+/// between two messages. If it is inside at both, the motion between them is not examined.
 class ZoneWatch {
  public:
   /// A body at the edge of a zone may enter it without end; further entries are only counted.
   static constexpr std::size_t kMaxStays = 1000;
 
-  /// `gives_up` is asked often while a motion between two messages is looked at.
+  /// `gives_up` is called often while a motion between two messages is examined; true ends that.
   explicit ZoneWatch(
       const std::vector<Zone>& zones, std::function<bool()> gives_up = [] { return false; });
 
-  /// To be called when the scene has a model. Both must outlive this, which holds frames of `tf`.
+  /// Call it when the scene has a model. `scene` and `tf` must outlive this, which holds frames of
+  /// `tf`.
   void watch(Scene& scene, TransformBuffer& tf, ros::Time now);
 
-  /// To be called when a box of the scene changed, at the record time [ns]; `is_reported`: compares
-  /// all boxes with the zones.
+  /// Call it when a box of the scene changed, at the record time `now` [ns]. `is_reported`:
+  /// compares all boxes with the zones.
   void onNews(std::int64_t now, bool is_reported);
 
-  /// To be called after each message or tick, after onNews().
+  /// Call it after each message or tick, after onNews().
   void onStep(std::int64_t now, bool is_tick, bool is_reported);
 
-  /// To be called before tf forgets: all motions are over.
+  /// Ends all motions. Call it before tf forgets.
   void endMotions();
 
-  /// Ends the stays of those that are in a zone.
+  /// Ends the stays of all bodies that are in a zone.
   void finish(std::int64_t now);
 
   std::vector<ZoneRecord> records() const;
   bool wasEntered() const;
 
-  /// Motions between messages of which it is not known whether they met a zone.
+  /// Number of motions between messages for which it is not known whether they met a zone.
   std::uint64_t undecided() const;
 
   /// A zone in whose frame there never was a box; null if there is none.
@@ -100,31 +101,31 @@ class ZoneWatch {
  private:
   /// A body in a zone.
   struct Inside {
-    std::size_t stay;  ///< in ZoneRecord::stays; beyond the last if it is only counted
+    std::size_t stay;  ///< index in ZoneRecord::stays; past its end: only counted
     std::uint64_t seen;
     std::int64_t stamp;
   };
 
   struct Watched {
     ZoneRecord record;
-    /// Looked up for each box that is compared: by names it took a tenth of the time of a bag.
+    /// By number, because it is looked up for each box: by name that took a tenth of all time.
     std::unordered_map<BodyNumber, Inside> inside;
   };
 
   /// The zones of one frame.
   struct Group {
-    FrameView* view;  ///< null: that of the scene
+    FrameView* view;  ///< null: the frame is the scene's fixed one
     BodyMotions motions;
     std::vector<Watched*> zones;
-    std::int64_t compared = 0;            ///< the last time [ns]
-    std::optional<std::int64_t> sampled;  ///< the last time at which the next two were looked up
-    bool is_compared = false;             ///< since motions ended
-    bool has_boxes = false;               ///< a link had a box
-    bool is_whole = false;                ///< and so it had in the frame of the zones
-    bool was_whole = false;               ///< since motions ended
-    std::optional<std::int64_t> since{};  ///< when a link first had a box since then [ns]
-    std::int64_t time = 0;                ///< with boxes [ns]
-    std::int64_t whole_time = 0;          ///< of that [ns]
+    std::int64_t compared = 0;            ///< record time of the last comparison [ns]
+    std::optional<std::int64_t> sampled;  ///< record time of the last sample() [ns]
+    bool is_compared = false;             ///< at least once since motions ended
+    bool has_boxes = false;               ///< at the last sample: a link had a box
+    bool is_whole = false;                ///< and each such link had one in the frame of the zones
+    bool was_whole = false;               ///< is_whole was true since motions ended
+    std::optional<std::int64_t> since{};  ///< when a link first had a box after that [ns]
+    std::int64_t time = 0;                ///< total time with boxes [ns]
+    std::int64_t whole_time = 0;          ///< part of `time` while is_whole is true [ns]
   };
 
   using InsideBody = std::unordered_map<BodyNumber, Inside>::iterator;
@@ -134,7 +135,7 @@ class ZoneWatch {
     BodyNumber number;
     const std::string& name;
     const BoxState& state;     ///< with a box
-    const BodyMotion* motion;  ///< null: it stood
+    const BodyMotion* motion;  ///< null: it did not move
   };
 
   void updateViews(ros::Time now);
@@ -156,14 +157,14 @@ class ZoneWatch {
 
   Scene* scene_ = nullptr;
   TransformBuffer* tf_ = nullptr;
-  std::optional<EdgeWays> edges_;  ///< which the zones of all frames share
+  std::optional<EdgeWays> edges_;  ///< shared by the zones of all frames
   std::function<bool()> gives_up_;
   std::vector<Watched> zones_;
-  std::map<std::string, FrameView> views_;  ///< by frame, without the fixed one
+  std::map<std::string, FrameView> views_;  ///< by frame, without the scene's fixed frame
   std::map<std::string, Group> groups_;     ///< by frame
   EdgeBegins begins_;
-  std::uint64_t tf_version_ = 0;     ///< of which the views are
-  bool have_views_changed_ = false;  ///< since they were compared
+  std::uint64_t tf_version_ = 0;     ///< version of tf for which the views are up to date
+  bool have_views_changed_ = false;  ///< since the last comparison
   std::uint64_t comparisons_ = 0;
 };
 

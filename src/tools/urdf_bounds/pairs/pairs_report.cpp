@@ -34,7 +34,7 @@ ProofControl controlFor(const UrdfBoundsOptions& options) {
   return control;
 }
 
-/// The search ended before the clearance was as accurate as it should be.
+/// Whether the nearest pose is farther from the proven clearance than the goal's accuracy.
 bool isRough(const PairProof& proof, const PairGoal& goal) {
   constexpr double kRounding = 1e-9;  // m
   return proof.nearest - proof.clearance > goal.accuracy + kRounding;
@@ -92,7 +92,7 @@ class ProofCertificate {
       bodies_.push_back(pairBody(body));
   }
 
-  /// False, and nothing is written, if there is no tree.
+  /// Returns false and writes nothing if no tree proves the claim.
   bool writePair(const PairProof& proof, const std::function<bool()>& is_over,
                  std::ostream& out) const {
     const PairClaim claim = claimOf(proof);
@@ -132,9 +132,9 @@ bool isProven(Verdict verdict) {
   return verdict == Verdict::kNever || verdict == Verdict::kAlways || verdict == Verdict::kTouching;
 }
 
-/// Writes why each pair of `proofs` never collides, always does or always touches. Returns for how
-/// many of these the file has no reason: the reason would be too long, or `is_over` said so. `out`
-/// is that of beginCertificate(). Throws UsageError if it cannot be written.
+/// Writes a proof for each pair that never collides, always collides or always touches. Returns the
+/// number of such pairs without a proof: it would be too long, or `is_over` stopped it. `out` comes
+/// from beginCertificate(). Throws UsageError if it cannot be written.
 std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robot,
                              const BoundedRobot& bounded, const std::vector<JointRange>& ranges,
                              const std::vector<PairProof>& proofs,

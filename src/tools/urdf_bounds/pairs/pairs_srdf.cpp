@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// In a SRDF, adjacent pairs come first, then the others in the order of the table.
+// In the written SRDF, adjacent pairs come first, then the others in the order of the table.
 #include "tools/urdf_bounds/pairs/pairs_srdf.h"
 
 #include <cmath>
@@ -86,7 +86,7 @@ class SrdfWriter {
     return table_.srdf->exempt.reasonOf(table_.links[proof.first], table_.links[proof.second]);
   }
 
-  /// Pairs of the old SRDF with a link without geometry, of which there are no proofs.
+  /// Pairs of the old SRDF that have no proof, because one of their links has no geometry.
   std::vector<DisabledPair> othersOfTheOldOne() const {
     std::vector<DisabledPair> others;
     if (!table_.srdf) return others;

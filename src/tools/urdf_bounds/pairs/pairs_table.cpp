@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows are made one by one: a robot of a thousand links has half a million pairs.
+// Rows are made one by one to save memory: a robot of a thousand links has half a million pairs.
 #include "tools/urdf_bounds/pairs/pairs_table.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kPairNames = 3;  ///< columns that are aligned left
 
-/// In which no pose was tried.
+/// Whether no pose of this pair was tried.
 bool isUnknown(const PairProof& proof) {
   return !std::isfinite(proof.nearest);
 }

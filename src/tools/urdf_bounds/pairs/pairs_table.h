@@ -15,11 +15,11 @@
 namespace link_bounds {
 
 struct PairsTable {
-  double clearance = 0;            ///< links that are as near collide [m]
+  double clearance = 0;            ///< links nearer than this collide [m]; 0: that touch
   std::vector<std::string> links;  ///< names
   std::vector<PairProof> rows;     ///< in the order of the links
-  std::vector<PairProof> rigid;    ///< of links that are rigidly joined; only for a SRDF
-  std::optional<SrdfCheck> srdf;   ///< of `rows`
+  std::vector<PairProof> rigid;    ///< pairs of rigidly joined links; only for an SRDF
+  std::optional<SrdfCheck> srdf;   ///< the check of `rows` against the SRDF
   Reasons incomplete;
 };
 
@@ -29,7 +29,7 @@ std::string namesOf(const PairProof& proof, const std::vector<std::string>& link
 /// "all 300 poses that were tried".
 std::string inAllPoses(const PairProof& proof);
 
-/// Why nothing is known about pairs, and about how many.
+/// The reasons why pairs are undecided, each with the number of pairs.
 std::map<std::string, std::size_t> reasonsOf(const PairsTable& table);
 
 /// For people.

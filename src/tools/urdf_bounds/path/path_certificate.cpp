@@ -21,7 +21,7 @@ class SegmentCertificate {
       shapes_.push_back(pairBody(body.body));
   }
 
-  /// False, and nothing is written, if a pair has no tree.
+  /// Returns false and writes nothing if a pair has no tree.
   bool writeSegment(std::size_t row, const JointMotion& motion, const SegmentProof& proof,
                     const std::function<bool()>& is_over, std::ostream& out) const {
     const double distance = goal_ + kClaimed * (proof.clearance - goal_);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What --certificate writes with --path. doc/tools.md describes it.
+// Writes the file of --certificate with --path. doc/tools.md describes it.
 #pragma once
 
 #include <iosfwd>
@@ -10,8 +10,8 @@
 
 namespace link_bounds {
 
-/// Writes why each SAFE segment is safe. `proofs` has one per motion. Returns for how many of these
-/// the file has no reason: the reason would be too long, or `is_over` said so. `out` is that of
+/// Writes a proof for each SAFE segment. `proofs` has one per motion. Returns the number of SAFE
+/// segments without a proof: it would be too long, or `is_over` stopped it. `out` comes from
 /// beginCertificate(). Throws UsageError if it cannot be written.
 std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& simple,
                                  const PathBodies& bodies, const std::vector<JointMotion>& motions,

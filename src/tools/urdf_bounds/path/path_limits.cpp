@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Halves the time until each part stays within the limits, or its middle does not.
+// Halves the time interval until each part stays within the limits, or its middle is beyond them.
 #include "tools/urdf_bounds/path/path_limits.h"
 
 #include <cmath>
@@ -12,26 +12,26 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kShortest = 1e-4;  // share of a segment
+constexpr double kShortest = 1e-4;  // half-width of the shortest part, as a share of a segment
 
 class LimitSearch {
  public:
   LimitSearch(const JointMotion& motion, const Lead& lead, const Joint& joint)
       : motion_(motion), lead_(lead), joint_(joint), limits_(*joint.limits) {}
 
-  /// The value at that share of the motion, if it is beyond the limits.
+  /// The value at this share of the motion (0 to 1), if it is beyond the limits.
   std::optional<double> beyondAt(double share) const {
     const double value = valueAt(share);
     return isBeyond(limits_, value) ? std::make_optional(value) : std::nullopt;
   }
 
-  /// A value beyond the limits, if both ends keep them.
+  /// A value beyond the limits; std::nullopt if none is found, or if an end is already beyond them.
   std::optional<double> overshoot() const {
     if (beyondAt(0) || beyondAt(1)) return std::nullopt;
     return search(0.5, 0.5);
   }
 
-  /// In words.
+  /// The message about a value beyond the limits.
   std::string leaves(double value) const {
     return "joint \"" + joint_.name + "\" leaves the limits " + shortestNumber(limits_.lower) +
            " to " + shortestNumber(limits_.upper) + ": " + shortestNumber(value);
@@ -58,7 +58,7 @@ class LimitSearch {
   const Limits& limits_;
 };
 
-/// Of each joint with limits the first text that `say` has of a motion, the one from that row on.
+/// For each joint with limits, the first text of say(search, row) that is not empty.
 template <class Say>
 std::vector<std::string> ofEachJoint(const Robot& simple, const std::vector<JointMotion>& motions,
                                      const Say& say) {

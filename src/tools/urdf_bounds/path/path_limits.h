@@ -11,15 +11,15 @@
 
 namespace link_bounds {
 
-/// What the user calls the row of that index.
+/// The name of a row for the user; `row` is its index from 0.
 using RowName = std::function<std::string(std::size_t row)>;
 
-/// Of each joint that leaves its limits between two rows that keep them, the first time, in words.
-/// Motion i leads from row i to the next one; `simple` has simple joints.
+/// One message per joint that leaves its limits between two rows within them, about the first time.
+/// Motion i leads from row i to row i + 1. `simple` has simple joints.
 std::vector<std::string> overshoots(const Robot& simple, const std::vector<JointMotion>& motions,
                                     const RowName& row_name);
 
-/// Of each joint that is beyond its limits in a row, the first one, in words.
+/// One message per joint that is beyond its limits in a row, about the first such row.
 std::vector<std::string> rowsBeyond(const Robot& simple, const std::vector<JointMotion>& motions,
                                     const RowName& row_name);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a robot collides on its way along the rows of a table: from rows to way points, and from
-// proofs to text, as a table to read, CSV or JSON.
+// Turns the rows of a table into way points, tries to prove that the robot does not collide between
+// them, and prints the verdicts as a table, CSV or JSON.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ struct PathSegment {
 };
 
 struct PathTable {
-  double clearance = 0;             ///< bodies that are as near collide [m]
+  double clearance = 0;             ///< bodies within this distance collide [m]
   std::vector<std::string> bodies;  ///< names
   std::vector<PathSegment> segments;
   Reasons incomplete;
@@ -45,7 +45,7 @@ struct PathTable {
 
 constexpr std::size_t kRowNames = 1;  ///< columns that are aligned left
 
-/// In which no pose was measured.
+/// Whether no pose of this segment was measured.
 bool isUnknown(const SegmentProof& proof) {
   return !std::isfinite(proof.nearest);
 }
@@ -150,7 +150,7 @@ void checkRows(const UrdfBoundsOptions& options, const JointTable& table) {
   }
 }
 
-/// One value per joint, 0 for those without a column.
+/// One derivative per joint, 0 for joints without a column; empty if the table has none.
 std::vector<double> derivativesOf(const JointTable& table, const JointTable::Numbers& numbers,
                                   std::size_t row, std::size_t joints) {
   if (numbers.size() == 0) return {};

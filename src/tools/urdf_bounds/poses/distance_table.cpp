@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same numbers in the same order in each format.
+// All formats have the same numbers in the same order.
 #include "tools/urdf_bounds/poses/distance_table.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Numbers distanceNumbers(const BodyDistance& distance) {
 }  // namespace
 
 bool isRough(double lower, double upper) {
-  constexpr double kRounding = 1 + 1e-9;  // of the two bounds
+  constexpr double kRounding = 1 + 1e-9;  // allows for rounding of the two bounds
   return upper - lower > kRounding * DistanceGoal().accuracy;
 }
 

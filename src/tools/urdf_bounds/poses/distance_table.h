@@ -19,10 +19,10 @@ struct LinkDistance {
 };
 
 struct DistanceTable {
-  double limit = 0;                 ///< no pair is farther apart [m]
+  double limit = 0;                 ///< max distance of a listed pair [m]
   std::vector<LinkDistance> pairs;  ///< in the order of the links
   Reasons incomplete;               ///< links without distances
-  bool has_compared = false;        ///< any two links, whatever their distance
+  bool has_compared = false;        ///< any two links were compared
 };
 
 /// How many pairs have distances that are less accurate than DistanceGoal asks for.

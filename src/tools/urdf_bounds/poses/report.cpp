@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The volumes of a robot as text: a table to read, CSV or JSON; the kinds differ in their words
-// only. Boxes are computed in the frame of the report; other volumes in that of their link, then
-// placed.
+// Prints the volumes of a robot as a table, CSV or JSON; kinds of volumes differ only in their
+// Words. Boxes are computed in the frame of the report, other volumes in the frame of their link
+// and then moved.
 #include <algorithm>
 #include <iostream>
 #include <optional>
@@ -22,26 +22,26 @@
 namespace link_bounds {
 namespace {
 
-/// A volume of any kind in its text forms.
+/// A volume of any kind, ready to be printed.
 struct Volume {
   Numbers numbers;   ///< in the order of the columns
-  std::string json;  ///< a value
+  std::string json;  ///< a JSON value
 };
 
-/// All lengths in metres, in `frame`.
+/// Lengths are in metres, coordinates in `frame`.
 struct VolumeTable {
   using NamedVolume = std::pair<std::string, Volume>;
 
   VolumeKind kind = VolumeKind::kBox;
-  Representation representation = Representation::kMinMax;  ///< of kBox
+  Representation representation = Representation::kMinMax;  ///< for kBox
   std::string frame;
-  std::vector<NamedVolume> volumes;  ///< by link
-  std::vector<NamedVolume> groups;   ///< of kBox
+  std::vector<NamedVolume> volumes;  ///< of links, by name
+  std::vector<NamedVolume> groups;   ///< for kBox: the robot
   std::optional<DistanceTable> distances;
   Reasons incomplete;
 };
 
-/// The words of a kind of volume.
+/// The texts that depend on the kind of volume.
 struct Words {
   std::string title;
   Row columns;  ///< the first is the name
@@ -165,7 +165,7 @@ Volume toVolume(const OrientedBox& box) {
                        ", \"orientation\": " + jsonNumbers(q.coeffs()) + "}"};
 }
 
-/// CSV, which has one kind of rows, is of the distances alone if there are any.
+/// CSV has only one kind of rows, so it has only the distances if there are any.
 void write(const VolumeTable& table, Format format, std::ostream& out) {
   using Writer = void (*)(const VolumeTable&, const Words&, std::ostream&);
   writerFor<Writer>(format, writeTable, writeCsv, writeJson)(table, wordsOf(table), out);
@@ -180,7 +180,7 @@ std::optional<Volume> placedVolume(const std::optional<LinkVolume>& volume,
   return toVolume(*in_frame);
 }
 
-/// Of a box, `robot_box` is extended by it.
+/// The volume of a link in the frame of the report. If it is a box, extends `robot_box` by it.
 std::optional<Volume> volumeOf(const PlacedLink& link, const VolumeTable& table, Aabb& robot_box) {
   switch (table.kind) {
     case VolumeKind::kBox:
@@ -196,7 +196,7 @@ std::optional<Volume> volumeOf(const PlacedLink& link, const VolumeTable& table,
   return toVolume(*box, table.representation);
 }
 
-/// Warns of each. A link keeps the reason that it has.
+/// Warns of each reason, and adds it unless its link already has one in `incomplete`.
 void addReasons(const Reasons& reasons, Reasons& incomplete) {
   for (const auto& [link, reason] : reasons) {
     const auto has_name = [&name = link](const auto& known) { return known.first == name; };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The reports, each on standard output: one per question that urdf_bounds answers.
+// The reports of urdf_bounds, each written to standard output.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,9 @@ struct PlacedLink {
   Eigen::Isometry3d frame_from_link;
 };
 
-/// Writes the volume that the options name of each link, in `frame`; of boxes also the one around
-/// all. Adds `distances` if there are any. Returns the links whose volume or distance is missing or
-/// does not cover everything, with the reason.
+/// Writes the volume of each link in `frame`; for boxes also the box around all of them. Adds
+/// `distances` if there are any. Returns the links whose volume or distance is missing or
+/// incomplete, with the reason.
 Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
                     const std::vector<PlacedLink>& links,
                     const std::optional<DistanceTable>& distances);
@@ -31,7 +31,7 @@ Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
 Outcome writeRows(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
                   const JointTable& table, const JointValues& given);
 
-/// Writes a box per link that it never leaves, and one for the robot.
+/// Writes for each link and for the robot a box that it never leaves.
 Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
                    const BoundedRobot& bounded, const std::vector<JointRange>& ranges);
 
@@ -39,7 +39,7 @@ Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
 Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
                    const BoundedRobot& bounded, const std::vector<JointRange>& ranges);
 
-/// What stands around the robot.
+/// The objects around the robot.
 struct PathObjects {
   Robot robot;           ///< one link per object
   BoundedRobot bounded;  ///< with bodies

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The boxes and distances of many rows of joint values. Blocks of rows are shared among threads;
-// each thread sums up what it saw, and all of them together make the summary, which does not depend
-// on who saw what.
+// The boxes and distances of many rows of joint values. Threads share the rows in blocks. Each
+// thread sums up its rows, and the sums are merged into the summary, which does not depend on the
+// sharing.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -21,11 +21,11 @@
 namespace link_bounds {
 namespace {
 
-/// Between two progress reports, and before texts of rows are written.
+/// Number of rows between two progress reports, and between two writes to the file of --series.
 constexpr std::size_t kBlock = 1024;
 
-/// Rows that one thread takes at once. They follow each other, so that searches begin where those
-/// of the last row ended.
+/// Rows that one thread takes at once. They are consecutive, so that each search can begin where
+/// the search of the row before ended.
 constexpr std::size_t kAtOnce = 32;
 
 /// How near each pair was in the rows that one thread has seen.
@@ -44,7 +44,7 @@ class PairRecords {
       merge(pair, nearest);
   }
 
-  /// No larger distance of the two changes the records.
+  /// The max distance of the two links that can still change the records [m].
   double needed(std::size_t first, std::size_t second) const {
     const auto found = pairs_.find({first, second});
     return found == pairs_.end() ? limit_ : found->second.distance;
@@ -67,12 +67,12 @@ class PairRecords {
   std::map<std::pair<std::size_t, std::size_t>, NearestRow> pairs_;
 };
 
-/// What one thread works with, and what it has seen.
+/// The state and the results of one thread.
 struct RowWorker {
   PosedRobot posed;
   PairRecords records;
   std::vector<Aabb> boxes;
-  std::vector<bool> has_box;  ///< of each link, in all rows
+  std::vector<bool> has_box;  ///< by link: it had a box in all rows so far
   std::set<std::size_t> unmeasured;
   std::size_t with_contact = 0;
   std::size_t first = std::numeric_limits<std::size_t>::max();
@@ -200,7 +200,7 @@ class RowsRun {
     if (options_.series) text = boxText(worker.posed, row);
   }
 
-  /// What is no nearer than in another row is only needed for the series.
+  /// Without a series, skips distances that are not smaller than in an earlier row.
   void addDistances(RowWorker& worker, std::size_t row, std::string& text) {
     PosedRobot::Wanted wanted;
     if (!options_.series) {
@@ -260,7 +260,7 @@ class RowsRun {
   const JointTable& table_;
   const JointValues& given_;
   std::vector<RowWorker> workers_;
-  std::vector<std::string> texts_;  ///< of the rows of a block
+  std::vector<std::string> texts_;  ///< the lines of --series, for each row of a block
   std::ofstream series_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The summary stands first.
+// The table begins with the counts of rows.
 #include "tools/urdf_bounds/poses/rows_table.h"
 
 #include "tools/formats/safe_text.h"

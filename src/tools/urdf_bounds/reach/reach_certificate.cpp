@@ -13,17 +13,17 @@
 namespace link_bounds {
 namespace {
 
-/// Of the tables: more would make a file of hundreds of megabytes.
+/// Min and max number of cells of a table; more would make a file of hundreds of megabytes.
 constexpr int kFirstCells = 8;
 constexpr int kLastCells = 64;
 
 /// A link behind more moving joints is left out.
 constexpr std::size_t kMaxJoints = 100;
 
-/// Supports are written as multiples of it, of a link within 1 m of the root [m].
+/// Supports are rounded to multiples of this step [m]; of a larger one for a link beyond 1 m.
 constexpr double kStep = 1e-7;
 
-/// The box that the tables prove, and by how much it exceeds that of the reach [m].
+/// The box that the tables prove, and by how much it exceeds the box of the reach [m].
 struct ProvenBox {
   Aabb box;
   double slack;
@@ -41,7 +41,7 @@ class ReachCertificate {
         is_over_(std::move(is_over)),
         radii_(linkRadii(robot, bounded, ranges)) {}
 
-  /// False, and nothing is written, if there is no reason.
+  /// Returns false and writes nothing if the link cannot be proven.
   bool write(std::size_t index, const Reach& reach, std::ostream& out) const {
     BoundedLink link = bounded_.links[index];
     link.padding = 0;
@@ -61,7 +61,7 @@ class ReachCertificate {
   }
 
  private:
-  /// A step larger than the box.
+  /// Grows `box` by `step` on each side, and compares it with the reach.
   static ProvenBox exceeding(const Aabb& box, const Reach& reach, double step) {
     ProvenBox result{box, 0};
     result.box.max().array() += step;

@@ -12,10 +12,11 @@
 
 namespace link_bounds {
 
-/// Writes why the link of each reach never leaves a box, which is larger than that of the reach by
-/// up to --accuracy, or by more where a table of 64 cells does not suffice. Returns for how many
-/// links the file has no reason: they have no reach, too many joints move them, or `is_over` said
-/// so. `out` is that of beginCertificate(). Throws UsageError if it cannot be written.
+/// Writes for each link a proof that it never leaves a box. That box exceeds the one in `reaches`
+/// by at most --accuracy, or by more if a table of 64 cells is too coarse. Returns the number of
+/// links without a proof: geometry or reach is missing, too many joints move them, or `is_over`
+/// stopped the proof. `out` comes from beginCertificate(). Throws UsageError if it cannot be
+/// written.
 std::size_t writeReachCertificate(const UrdfBoundsOptions& options, const Robot& robot,
                                   const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges,

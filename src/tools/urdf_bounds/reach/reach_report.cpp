@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The boxes that links never leave as a table to read, CSV, JSON or markers, with the same numbers
-// in the same order. The search ends when all gaps are as small as --accuracy, --budget is used up,
-// or at Ctrl-C.
+// Prints the boxes that links never leave as a table, CSV, JSON or markers, all with the same
+// numbers in the same order. The search ends when all gaps are within --accuracy, when --budget is
+// used up, or at Ctrl-C.
 #include <algorithm>
 #include <iostream>
 #include <ostream>
@@ -24,18 +24,18 @@
 namespace link_bounds {
 namespace {
 
-/// All lengths in metres, in `frame`.
+/// All lengths are in metres, all coordinates in `frame`.
 struct ReachTable {
   using NamedReach = std::pair<std::string, Reach>;
 
   std::string frame;
-  double accuracy = 0;             ///< that was asked for
+  double accuracy = 0;             ///< as requested by --accuracy
   std::vector<NamedReach> links;   ///< in the order of the URDF
   std::vector<NamedReach> groups;  ///< the robot, if any link has a box
   Reasons incomplete;
 };
 
-/// Thin lines around a link, thick ones around the robot: both are seen where they coincide.
+/// Thin lines for a link and thick ones for the robot: both are visible where they coincide.
 constexpr char kThin[] = "{x: 0.005}, color: {r: 0.1, g: 0.7, b: 1.0, a: 0.6}";
 constexpr char kThick[] = "{x: 0.015}, color: {r: 1.0, g: 0.5, b: 0.1, a: 1.0}";
 
@@ -99,13 +99,13 @@ void writeJson(const ReachTable& table, std::ostream& out) {
       << ",\n \"incomplete\": " << jsonObject(table.incomplete, jsonString) << "}\n";
 }
 
-/// JSON is YAML.
+/// YAML accepts this JSON-like text, also for exact numbers.
 std::string pointOf(const Eigen::Vector3d& point) {
   return "{x: " + exactNumber(point.x()) + ", y: " + exactNumber(point.y()) +
          ", z: " + exactNumber(point.z()) + "}";
 }
 
-/// The edges of a box, as LINE_LIST.
+/// The edges of a box, as a marker of type LINE_LIST.
 void writeMarker(const ReachTable& table, const std::string& name, const Reach& reach,
                  std::size_t id, const std::string& look, std::ostream& out) {
   const std::array<Eigen::Vector3d, 8> points = corners(reach.box());
@@ -143,7 +143,7 @@ ReachGoal goalOf(const UrdfBoundsOptions& options) {
   return goal;
 }
 
-/// Why nothing is proven of a link that has geometry.
+/// Why a link with geometry has no reach.
 std::string whyNone(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t link) {
   const std::vector<std::size_t> unknown = unknownOf(ranges, jointsAbove(robot, link));
   return unknown.empty() ? "its size and pose give no finite box" : missingRanges(robot, unknown);
@@ -175,7 +175,7 @@ double maxGap(const ReachTable& table) {
   return result;
 }
 
-/// Why the gaps are larger than what was asked for.
+/// Warns of gaps above --accuracy, with the cause.
 void warnOfGaps(const ReachTable& table, bool was_stopped) {
   const double max_gap = maxGap(table);
   if (max_gap <= table.accuracy) return;

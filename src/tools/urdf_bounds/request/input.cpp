@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each refusal says what could be given instead.
+// Each refusal says what the user can give instead.
 #include "tools/urdf_bounds/request/input.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace link_bounds {
 namespace {
 
-/// What can be given instead of the name of a floating or planar joint; "" for other names.
+/// A hint to the parts of a floating or planar joint that can be given; "" for other names.
 std::string partsGiven(const Robot& robot, const std::string& name) {
   const bool has_parts =
       std::any_of(robot.joints.begin(), robot.joints.end(),
@@ -34,7 +34,7 @@ void checkNames(const Robot& robot, const GivenRanges& given) {
   }
 }
 
-/// One warning about all joints in `beyond`. `subject` names what is printed nevertheless.
+/// One warning about all joints in `beyond`. `subject` says what holds all the same.
 void warnOfLimits(const std::string& beyond, const std::string& subject) {
   if (!beyond.empty()) warn(beyond + "; " + subject + " all the same");
 }

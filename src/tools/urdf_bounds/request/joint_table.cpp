@@ -22,7 +22,7 @@ constexpr char kTimeName[] = "time";
 constexpr char kVelocityEnd[] = ".velocity";
 constexpr char kAccelerationEnd[] = ".acceleration";
 
-/// Faults of single rows that are listed one by one.
+/// Max number of rows that are listed one by one as left out.
 constexpr std::size_t kListedFaults = 5;
 
 enum class Quantity { kNothing, kTime, kPosition, kVelocity, kAcceleration };
@@ -33,8 +33,8 @@ struct Column {
   std::size_t joint = 0;
 };
 
-/// The text in quotes that begin there, in which two quotes are one; `at` is moved behind them.
-/// Nothing if they do not end.
+/// The text in the quotes that begin at `at`; a doubled quote stands for one. Moves `at` behind the
+/// closing quote. std::nullopt if there is none.
 std::optional<std::string> quoted(const std::string& line, std::size_t& at) {
   std::string text;
   while (++at < line.size()) {
@@ -49,8 +49,8 @@ std::optional<std::string> quoted(const std::string& line, std::size_t& at) {
   return std::nullopt;
 }
 
-/// By RFC 4180, but blanks around cells are none of them. Nothing if a quote stands elsewhere than
-/// at both ends of a cell, or the line ends within quotes.
+/// Splits a line by RFC 4180, but strips blanks around cells. std::nullopt if a quote is not at
+/// both ends of a cell, or if the line ends within quotes.
 std::optional<std::vector<std::string>> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
   for (std::size_t begin = 0;; ++begin) {
@@ -67,7 +67,7 @@ std::optional<std::vector<std::string>> cellsOf(const std::string& line) {
   }
 }
 
-/// For a message: of a long text the begin. A zero would end the message.
+/// The beginning of a text for a message. A zero byte would end the message, so it becomes a space.
 std::string shown(const std::string& text) {
   constexpr std::size_t kMaxShown = 100;
   std::string begin = text.substr(0, kMaxShown);
@@ -193,7 +193,7 @@ class TableReader {
     return column;
   }
 
-  /// Columns that would be ignored, although they may say how a joint moves.
+  /// Throws UsageError for an unknown column that may say how a joint moves.
   void checkUnknown(const std::set<std::string>& names) const {
     for (const std::string& name : unknown_) {
       const std::size_t dot = name.rfind('.');
@@ -229,7 +229,7 @@ class TableReader {
                        [=](const Column& column) { return column.quantity == quantity; });
   }
 
-  /// All joints with a column have one of this quantity, or none has.
+  /// Throws UsageError unless all joints with a column have one of this quantity, or none has.
   void checkDerivatives(Quantity quantity, const char* end) const {
     if (!has(quantity)) return;
     for (const std::size_t joint : table_.joints) {
@@ -244,7 +244,7 @@ class TableReader {
     }
   }
 
-  /// None or one.
+  /// The index of the column, or an empty list.
   std::vector<std::size_t> columnsOf(Quantity quantity, std::size_t joint) const {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -253,7 +253,7 @@ class TableReader {
     return result;
   }
 
-  /// Columns in the order of `joints`; that of the times alone.
+  /// The cells of all rows, with columns in the order of `joints`; for kTime the column of times.
   JointTable::Numbers numbersOf(Quantity quantity) const {
     std::vector<std::size_t> chosen;
     if (quantity == Quantity::kTime) {
@@ -289,7 +289,7 @@ class TableReader {
                              ": columns of joints that follow another one are ignored: " + mimics_);
   }
 
-  /// The rows in which a joint is outside its limits, and the first of them.
+  /// Adds a problem if a joint is outside its limits: the number of rows, and the first of them.
   void checkLimits(std::size_t column) {
     const Joint& joint = robot_.joints[table_.joints[column]];
     if (!joint.limits) return;
@@ -318,13 +318,13 @@ class TableReader {
   const Robot& robot_;
   std::map<std::string, std::size_t> index_;
   std::vector<Column> columns_;
-  std::vector<std::string> unknown_;  ///< columns
+  std::vector<std::string> unknown_;  ///< names of unknown columns
   std::string mimics_;
-  std::vector<double> numbers_;  ///< of all rows and columns
+  std::vector<double> numbers_;  ///< all cells, row by row
   JointTable table_;
 };
 
-/// Old Macs ended lines so, and some programs still do: all would be one line, perhaps a remark.
+/// Old Macs and some programs end lines with CR alone: the text would be a single line.
 bool hasOnlyCr(const std::string& text) {
   const std::size_t cr = text.find('\r');
   const std::size_t last = text.find_last_not_of(" \t\r");
@@ -358,7 +358,7 @@ JointTable parseJointTable(const std::string& text, const std::string& file,
   return reader.result();
 }
 
-/// Joints that follow another one have limits of their own.
+/// Problems of mimic joints, which have limits of their own.
 static std::vector<std::string> mimicsBeyond(const JointTable& table, const std::string& file,
                                              const Robot& simple, const JointValues& given) {
   std::vector<std::string> problems;

@@ -12,42 +12,43 @@
 
 namespace link_bounds {
 
-/// Rows are numbered from 1; row r is at index r - 1.
+/// Messages number rows from 1; row r is at index r - 1.
 struct JointTable {
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  std::vector<std::size_t> joints;    ///< of the robot; the columns of the next three
+  std::vector<std::size_t> joints;    ///< indices in the robot; the columns of the next three
   Numbers positions;                  ///< rad or m
-  Numbers velocities;                 ///< per s; without columns where the file has none
-  Numbers accelerations;              ///< per s²; without columns where the file has none
-  std::vector<double> times;          ///< s; empty where the file has no such column
-  std::vector<std::string> faults;    ///< of each row why it cannot be used; "" = it can
-  std::vector<std::string> problems;  ///< in words, each names the column, and the first row
-  std::vector<std::string> notes;     ///< what is right, but may surprise
+  Numbers velocities;                 ///< rad/s or m/s; no columns if the file has none
+  Numbers accelerations;              ///< rad/s² or m/s²; no columns if the file has none
+  std::vector<double> times;          ///< s; empty if the file has no such column
+  std::vector<std::string> faults;    ///< why each row cannot be used; "" if it can
+  std::vector<std::string> problems;  ///< messages to the user; --strict refuses them
+  std::vector<std::string> notes;     ///< messages about correct input that may surprise
 
   std::size_t rows() const { return faults.size(); }
 };
 
-/// Robots are those with simple joints. `columns` are the names of the columns, separated by
-/// commas; none: they are the first line of the text. `given` are the joints that need no column.
-/// Throws UsageError, which names `file`, where no row can be used, where a column is there twice,
-/// and, of a path, where one is of a joint, but not known: it may be a velocity with another name.
+/// Reads a table for a robot with simple joints. `columns` are the names of the columns, separated
+/// by commas; without them, the first line of the text has the names. `given` are the joints that
+/// need no column. Throws UsageError with the name of `file` if no row can be used or a column
+/// occurs twice. For a path, also throws if an unknown column may belong to a joint, such as a
+/// velocity with another name.
 JointTable parseJointTable(const std::string& text, const std::string& file,
                            const std::optional<std::string>& columns, const Robot& robot,
                            const std::vector<std::string>& given, bool is_path);
 
-/// What is the same in all rows of a table: the values that the command line gives.
+/// One value per joint of the robot [rad or m].
 using JointValues = std::vector<double>;
 
-/// Reads the file of --poses, and warns of what is wrong with it. `simple` has simple joints.
-/// Throws UsageError; with --strict also where anything is wrong.
+/// Reads the file of --poses and warns of its problems. `simple` has simple joints. `given` has the
+/// values from the command line. Throws UsageError; with --strict also for the first problem.
 JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple,
                           const JointValues& given);
 
-/// Warns of each, or with --strict refuses the first one.
+/// Warns of each problem; with --strict throws UsageError for the first one.
 void tellProblems(const UrdfBoundsOptions& options, const std::vector<std::string>& problems);
 
-/// One value per joint of the robot in that row.
+/// The joint values of the row at index `row`; joints without a column keep their value in `given`.
 JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given);
 
 }  // namespace link_bounds

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fields are those of visualization_msgs/Marker. Unknown ones are refused, because a misspelt pose
-// would move the object.
+// The fields are those of visualization_msgs/Marker. Unknown fields are refused: a misspelt pose
+// would be ignored, and the object would be at the wrong place.
 #include "tools/urdf_bounds/request/objects.h"
 
 #include <yaml-cpp/yaml.h>
@@ -56,7 +56,7 @@ class ObjectReader {
     return *value;
   }
 
-  /// x, y and z [m].
+  /// x, y and z of a position or a scale; `otherwise` stands for missing numbers.
   Eigen::Vector3d vector(const YAML::Node& node, const std::string& what, double otherwise) const {
     if (!node) return Eigen::Vector3d::Constant(otherwise);
     checkFields(node, what, {"x", "y", "z"});

@@ -10,11 +10,11 @@
 
 namespace link_bounds {
 
-/// One link per object, in the frame of the root link of a robot, all of them fixed. `file` is
-/// named in errors. Throws UsageError with the name of the object and the remedy.
+/// Returns a robot with one link per object and no joints, in the frame of the other robot's root
+/// link. Errors name `file`. Throws UsageError with the name of the object and the remedy.
 Robot parseObjects(const std::string& text, const std::string& file);
 
-/// The problems of loaded objects then name an object, not a link and its only visual.
+/// Makes the problems of loaded objects name an object instead of a link and its only visual.
 void nameObjects(BoundedRobot& objects);
 
 }  // namespace link_bounds

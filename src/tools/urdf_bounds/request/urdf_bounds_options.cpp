@@ -28,7 +28,7 @@ Limits jointRange(const std::string& joint, const std::string& text) {
                    "\", but must go from the smaller number to the larger one");
 }
 
-/// An argument with := is a joint, another one the file.
+/// An argument with := sets a joint; any other one is the URDF file.
 void addArgument(const std::string& argument, UrdfBoundsOptions& options) {
   const std::size_t sign = argument.rfind(":=");
   if (sign != std::string::npos) {
@@ -137,13 +137,13 @@ void refuseRanges(const UrdfBoundsOptions& options) {
   }
 }
 
-/// Throws if an option is given that is of no use.
+/// Throws UsageError if an option is given without the report that uses it.
 void need(bool is_given, bool is_useful, const char* option, const char* report) {
   if (is_given && !is_useful)
     throw UsageError(std::string(option) + " is an option of " + report + "; add " + report);
 }
 
-/// Options that only proofs have.
+/// Checks the options that only proofs use.
 void checkProof(const UrdfBoundsOptions& options) {
   const bool has_pairs = options.report == Report::kPairs;
   const bool has_reach = options.report == Report::kReach;
@@ -163,7 +163,7 @@ void checkProof(const UrdfBoundsOptions& options) {
   need(options.as_markers, has_reach, "--format markers", "--reach");
 }
 
-/// Options that only tables of joint values have.
+/// Checks the options that only tables of joint values use.
 void checkTable(const UrdfBoundsOptions& options) {
   const bool has_rows = options.report == Report::kRows;
   const bool has_path = options.report == Report::kPath;
@@ -182,7 +182,7 @@ void checkTable(const UrdfBoundsOptions& options) {
         "give only one of the two");
 }
 
-/// Options that only some reports have.
+/// Checks that the options fit the report.
 void checkReport(const UrdfBoundsOptions& options) {
   checkProof(options);
   checkTable(options);

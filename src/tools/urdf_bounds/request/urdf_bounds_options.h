@@ -16,42 +16,42 @@ namespace link_bounds {
 /// the motion from row to row.
 enum class Report { kPose, kRows, kPath, kReach, kPairs };
 
-/// Of the paper's Figure 2; kBox is axis-aligned.
+/// The bounding volumes of the paper's Figure 2; kBox is axis-aligned.
 enum class VolumeKind { kBox, kSphere, kOrientedBox };
 
 /// The three pairs of vectors (a, b) of the paper's Figure 3.
 enum class Representation { kMinMax, kMinWidth, kCenterRadius };
 
-/// Of --reach and --pairs.
+/// Defaults of --accuracy, --budget and --touching.
 constexpr double kDefaultAccuracy = 0.01;  // m
 constexpr double kDefaultBudget = 60;      // s
 constexpr double kDefaultTouching = 1e-4;  // m, of --pairs
 
 struct UrdfBoundsOptions {
   std::string file;    ///< "-" is standard input
-  GivenRanges joints;  ///< rad or m; values, lower == upper, but of kReach and kPairs
+  GivenRanges joints;  ///< [rad or m]; lower == upper, except for kReach and kPairs
   Report report = Report::kPose;
   std::string geometry = "visual";  ///< or collision, or both
   VolumeKind volume = VolumeKind::kBox;
-  std::optional<Representation> representation;  ///< of kBox; none: min-max
+  std::optional<Representation> representation;  ///< for kBox; none: min-max
   std::optional<double> distances;               ///< limit [m], finite, >= 0; none: not printed
-  std::optional<std::string> poses;        ///< of kRows and kPath, a file; "-" is standard input
-  std::optional<std::string> columns;      ///< of `poses`, names with commas between them
-  std::optional<std::string> series;       ///< of kRows, a file to write
-  std::optional<std::string> objects;      ///< of kPath, a file
-  std::optional<unsigned> jobs;            ///< of kRows and kPath, > 0; none: the cores
+  std::optional<std::string> poses;        ///< for kRows and kPath: a file; "-" is standard input
+  std::optional<std::string> columns;      ///< for `poses`: names, separated by commas
+  std::optional<std::string> series;       ///< for kRows: a file to write
+  std::optional<std::string> objects;      ///< for kPath: a file
+  std::optional<unsigned> jobs;            ///< for kRows and kPath, > 0; none: one per core
   std::optional<double> accuracy;          ///< [m], > 0; none: kDefaultAccuracy
   std::optional<double> budget;            ///< [s], > 0; none: kDefaultBudget
-  std::optional<double> clearance;         ///< of kPairs and kPath [m], >= 0; none: 0
-  std::optional<double> touching;          ///< of kPairs [m], >= 0; none: kDefaultTouching
-  std::optional<std::string> srdf;         ///< of kPairs and kPath, a file
-  std::optional<std::string> certificate;  ///< of kReach, kPairs and kPath, a file to write
-  bool adjacent = false;                   ///< of kPairs
+  std::optional<double> clearance;         ///< for kPairs and kPath [m], >= 0; none: 0
+  std::optional<double> touching;          ///< for kPairs [m], >= 0; none: kDefaultTouching
+  std::optional<std::string> srdf;         ///< for kPairs and kPath: a file
+  std::optional<std::string> certificate;  ///< for kReach, kPairs and kPath: a file to write
+  bool adjacent = false;                   ///< for kPairs
   bool has_fixed_base = false;             ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;
-  bool as_srdf = false;         ///< of kPairs, instead of `format`
-  bool accept_sampled = false;  ///< of `as_srdf`
-  bool as_markers = false;      ///< of kReach, instead of `format`
+  bool as_srdf = false;         ///< for kPairs, instead of `format`
+  bool accept_sampled = false;  ///< for `as_srdf`: also disables pairs by samples alone
+  bool as_markers = false;      ///< for kReach, instead of `format`
   bool verbose = false;
   Demand demand;
   bool help = false;     ///< the other members are then undefined

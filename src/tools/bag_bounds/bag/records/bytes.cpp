@@ -18,7 +18,7 @@ constexpr std::size_t kBlockSize = 256 << 10;  // bytes; larger ones read no fas
 
 }  // namespace
 
-// Not waiting: a pipe would wait for somebody who writes.
+// Opens without waiting: a pipe would wait for a writer.
 FileBytes::FileBytes(const std::string& name)
     : file_(open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
   if (file_ < 0) throw std::runtime_error(name + ": cannot be opened: " + std::strerror(errno));

@@ -67,7 +67,7 @@ class Lz4 {
   LZ4F_dctx* context_ = nullptr;
 };
 
-// A vector would double its memory up to twice the limit.
+// Reserves the limit at once: a vector would double its memory to twice the limit.
 void makeRoom(std::vector<std::uint8_t>& output, std::size_t size) {
   if (size <= output.size()) return;
   if (size > kMaxChunkSize / 2) output.reserve(kMaxChunkSize + 2 * kOutputSize);

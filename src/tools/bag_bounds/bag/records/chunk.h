@@ -22,15 +22,15 @@ enum class ChunkState {
 
 struct ChunkData {
   ChunkState state;
-  std::uint64_t consumed;  ///< bytes of the input; if damaged, all that was looked at
+  std::uint64_t consumed;  ///< bytes of the input; if damaged, all that were read
 };
 
 /// A chunk, and a single message, may have this many bytes; a larger one is not read. rosbag closes
 /// a chunk with the first message after 768 kB.
 constexpr std::uint32_t kMaxChunkSize = 256U << 20;
 
-/// Decompresses what begins at `begin`, as far as it says itself. Takes memory for what comes out,
-/// not for what the chunk says about its size. Calls `is_interrupted` for each piece.
+/// Decompresses the data at `begin` up to the end that it marks itself. Takes memory as the output
+/// grows, not by the size in the header of the chunk. Calls `is_interrupted` for each piece.
 ChunkData decompress(std::string_view compression, Bytes& bytes, std::uint64_t begin,
                      std::vector<std::uint8_t>& output, const IsInterrupted& is_interrupted);
 

@@ -19,8 +19,8 @@ enum class RecordOp : std::uint8_t {
   kConnection = 7,
 };
 
-/// The fields of a record's header. Those that its kind does not have are 0 or empty. Texts are
-/// views, valid until the next bytes are asked for.
+/// The fields of a record's header. Fields that its kind does not have are 0 or empty. Texts are
+/// views, valid until the next call of Bytes::at().
 struct Record {
   RecordOp op{};
   std::uint32_t connection = 0;
@@ -44,17 +44,17 @@ enum class RecordState {
   kDamaged,  ///< no such record exists
 };
 
-/// Reads the header of the record at `offset`. All of the record is there if it is good, except the
-/// data of a chunk, which may be cut.
+/// Reads the header of the record at `offset`. A good record is complete, except that the data of a
+/// chunk may be cut.
 RecordState readRecord(Bytes& bytes, std::uint64_t offset, Record& record);
 
-/// Where the first good record begins from `offset` on; the size of the bytes if there is none.
-/// Records inside of chunks count only if these are not compressed: parts of compressed data look
-/// like records. Where it is interrupted, if so.
+/// The position of the first good record from `offset` on; the size of the bytes if there is none.
+/// Records inside of chunks count only if chunks are not compressed: parts of compressed data look
+/// like records. If it is interrupted, returns the position reached.
 std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed,
                          const IsInterrupted& is_interrupted);
 
-/// The connection of an entry of a chunk info, of which `data` is that of the record.
+/// The connection in an entry of a chunk info; `data` is the data of that record.
 std::uint32_t connectionOfEntry(const std::uint8_t* data, std::uint32_t entry);
 
 /// The header of a connection, which is the data of its record.

@@ -20,7 +20,7 @@ std::string bytesOf(Number number) {  // on a little-endian machine
 /// `time` [ns]
 std::string timeBytes(std::int64_t time);
 
-/// The bytes behind their number.
+/// The number of bytes, followed by the bytes.
 std::string withSize(const std::string& bytes);
 
 std::string fieldBytes(const std::string& name, const std::string& value);
@@ -44,7 +44,7 @@ std::string messageHeader(std::uint32_t connection, std::int64_t time);
 
 std::string chunkHeader(const std::string& compression, std::uint32_t size);
 
-/// Without the data behind it, which rosbag fills up to a fixed size.
+/// Without its data, with which the caller fills the record up to a fixed size.
 std::string bagHeader(std::uint64_t index_position, std::uint32_t connections,
                       std::uint32_t chunks);
 
