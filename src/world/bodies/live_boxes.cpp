@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes boxes again only for links that moved.
+// Recomputes boxes only for links that moved.
 #include "world/bodies/live_boxes.h"
 
 #include <utility>
@@ -15,7 +15,8 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model) {
   problems_.assign(model_->links.size(), TransformProblem::kNone);
   states_.assign(model_->links.size(), BoxState());
   boxes_ = LinkBoxes(model_->links);
-  // All names before all nodes: mixed in memory, 10,000 names take three times as long to find.
+  // First all names, then all nodes: if they are mixed in memory, finding 10,000 names takes three
+  // times as long.
   link_frames_.clear();
   for (const std::string& name : model_->frames)
     link_frames_.emplace_back(frames_.tf(), name);
@@ -40,8 +41,8 @@ bool LiveBoxes::update() {
   return is_changed;
 }
 
-/// A box that is to be computed waits for the others. It is news even if it comes out the same: the
-/// pose is another one.
+/// Adds the link to waiting_ if its box must be recomputed; boundWaiting() then reports the change,
+/// even if the box comes out the same, because the pose is new.
 bool LiveBoxes::refresh(std::size_t i, const FramePose& pose) {
   if (pose.problem != TransformProblem::kNone) return drop(i, pose.problem);
   BoxState& state = states_[i];
@@ -69,7 +70,7 @@ bool LiveBoxes::boundWaiting() {
   return is_changed;
 }
 
-/// A link without a box; true if it had one, or had none for another reason.
+/// Removes the box. True if there was one, or if the problem is new.
 bool LiveBoxes::drop(std::size_t i, TransformProblem problem) {
   const bool is_changed = states_[i].box || problem != problems_[i];
   states_[i].box.reset();
@@ -77,7 +78,7 @@ bool LiveBoxes::drop(std::size_t i, TransformProblem problem) {
   return is_changed;
 }
 
-/// What follows from the problem, and from whether there is a box.
+/// Sets the problem and, depending on it and on the box, the stamp and `incomplete`.
 void LiveBoxes::setProblem(std::size_t i, TransformProblem problem) {
   problems_[i] = problem;
   if (!states_[i].box) states_[i].stamp = 0;

@@ -16,12 +16,12 @@ class LiveBoxes {
  public:
   explicit LiveBoxes(FrameTracker& frames) : frames_(frames) {}
 
-  /// Starts over with a model, in whose fixed frame poses must be tracked. Boxes are there at once
-  /// where tf knows the link.
+  /// Starts over with a model. The tracker must already use the model's fixed frame. Links that tf
+  /// knows get their boxes at once.
   void adopt(std::shared_ptr<const Model> model);
 
   /// To be called after each update of the poses. Computes the boxes whose poses changed; true if
-  /// any box, stamp or problem changed. Without a model nothing ever does.
+  /// any box, stamp or problem changed. Always false without a model.
   bool update();
 
   /// Null until the first adopt().
@@ -34,12 +34,12 @@ class LiveBoxes {
   /// The number of the tf frame of link `i`.
   FrameTracker::Frame frame(std::size_t i) const { return link_frames_[i].frame(); }
 
-  /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
+  /// The pose of link `i` in the fixed frame from which its box was computed, if it has a box.
   const Eigen::Affine3d& pose(std::size_t i) const {
     return poses_[i].pose().fixed_from_frame.affine;
   }
 
-  /// What keeps link `i` from having a box, if it has shapes.
+  /// Why link `i` has no box, although it has shapes; kNone if it has a box or no shapes.
   TransformProblem problem(std::size_t i) const { return problems_[i]; }
 
   /// Why link `i` is incomplete, in words; "" if it is not.
@@ -54,11 +54,11 @@ class LiveBoxes {
   FrameTracker& frames_;
   std::shared_ptr<const Model> model_;
   std::vector<TransformBuffer::Hold> link_frames_;
-  std::vector<FrameTracker::Handle> poses_;  ///< of the links; empty for links without shapes
+  std::vector<FrameTracker::Handle> poses_;  ///< one per link; empty for links without shapes
   std::vector<TransformProblem> problems_;
   LinkBoxes boxes_;
   std::vector<BoxState> states_;
-  std::vector<MovedLink> waiting_;  ///< for a box, at the end of one update
+  std::vector<MovedLink> waiting_;  ///< links whose boxes this update computes at its end
 };
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes the box of an object again if its content, the pose of its frame, or its age changed.
+// Recomputes the box of an object if its content, the pose of its frame, or its age changed.
 #include "world/bodies/live_objects.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void LiveObjects::adopt(ros::Time now) {
   refreshAll(now);
 }
 
-/// No number of the old frame remains.
+/// Drops all boxes in the old fixed frame.
 void LiveObjects::leaveFixedFrame() {
   std::vector<FrameTracker::Frame> placed_in;
   for (auto& [key, object] : objects_) {
@@ -73,8 +73,9 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   return refresh(object, now) || is_new;
 }
 
-/// The same content. What was sent before the clock jumped back may also arrive after it. Where it
-/// is placed anew or waits for that, it counts as another content: it was not at that place before.
+/// Handles an object that is sent again with the same content. It may have been sent before the
+/// clock jumped back. If it is placed anew or waits for that, its content counts as new: it was not
+/// at that place before.
 bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
   if (object.stamp_time > StampTime::kOutside) return false;
   const StampTime stamp_time = stampTime(object, true);
@@ -88,14 +89,14 @@ bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
   const auto before = object.content;
   object.content = std::make_shared<const ObjectContent>(*before);
   const bool is_changed = refresh(object, now);
-  if (object.stamp_time == StampTime::kNotSent) {  // it is not
+  if (object.stamp_time == StampTime::kNotSent) {  // it was not placed anew
     if (object.boxed.content == object.content) object.boxed.content = before;
     object.content = before;
   }
   return is_changed;
 }
 
-/// When it is received. `had_stamp`: with that stamp it was there before, which was not known.
+/// The value on receipt. `had_stamp`: the object existed with the same stamp and was not kKnown.
 StampTime LiveObjects::stampTime(const LiveObject& object, bool had_stamp) const {
   const bool may_be_old = has_jumped_back_ || had_stamp;
   if (object.content->stamp == 0 || !may_be_old) return StampTime::kKnown;
@@ -254,14 +255,15 @@ bool LiveObjects::expire(ros::Time now) {
   return is_changed;
 }
 
-/// As with links: a static box never becomes stale.
+/// Whether a neighbour sent nothing for `timeouts` timeouts. A static box never is silent.
 bool LiveObjects::isSilent(const LiveObject& object, std::int64_t now, double timeouts) const {
   const ObjectContent& content = *object.content;
   return content.is_neighbour && !content.is_static && frames_.timeout() > 0 &&
          static_cast<double>(now - object.received) > timeouts * frames_.timeout() * 1e9;
 }
 
-/// The clock may have jumped ahead: a neighbour is incomplete for a while before it is forgotten.
+/// Removes the box. Restarts the time until the neighbour is forgotten, because the clock may have
+/// jumped ahead.
 bool LiveObjects::dropSilent(LiveObject& object, ros::Time now) {
   object.is_silent = true;
   object.received = clock_.observe(now) - static_cast<std::int64_t>(frames_.timeout() * 1e9);
@@ -274,7 +276,8 @@ bool LiveObjects::dropSilent(LiveObject& object, ros::Time now) {
   return refresh(object, now);
 }
 
-/// A neighbour sends again.
+/// Gives a marker its box once its name is free. A refused neighbour gets its box when it is sent
+/// again.
 bool LiveObjects::nameAgain(const ObjectKey& key, LiveObject& object, ros::Time now) {
   if (object.content->is_neighbour || otherOfName(key)) return false;
   auto content = std::make_shared<ObjectContent>(*object.content);
@@ -283,7 +286,7 @@ bool LiveObjects::nameAgain(const ObjectKey& key, LiveObject& object, ros::Time 
   return refresh(object, now);
 }
 
-/// A new pose is news even if the box comes out the same.
+/// A new pose counts as a change even if the box comes out the same.
 bool LiveObjects::refreshFollowing(ros::Time now) {
   bool is_changed = false;
   for (const auto& [frame, objects] : followers_) {
@@ -322,7 +325,7 @@ bool LiveObjects::refreshAll(ros::Time now) {
   return is_changed;
 }
 
-/// Another body is news even in the same box, because distances are those of bodies.
+/// A new body counts as a change even if its box is the same, because distances depend on bodies.
 bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   if (object.problem == TransformProblem::kWaiting) --waiting_;
   BoxState state;
@@ -337,7 +340,7 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   state.incomplete = object.problem != TransformProblem::kNone || is_loading || !has_name ||
                      !object.content->bounded.isWhole();
   if (!state.box) object.boxed = BoxedObject();
-  const auto is_other = [&] {  // compares all points of a list
+  const auto is_other = [&] {  // last in the condition: compares all points of a list
     return boxed && state.box && boxed != object.boxed.content &&
            !isSameBody(*boxed, *object.boxed.content);
   };

@@ -17,16 +17,16 @@
 
 namespace link_bounds {
 
-/// Until a fixed frame is known the objects are kept and none has a box. All functions that return
-/// bool tell whether a box, what is in it, a stamp or an incomplete name changed.
+/// Before a fixed frame is known, objects are kept without boxes. All functions that return bool
+/// tell whether a box, its content, a stamp or an incomplete name changed.
 class LiveObjects {
  public:
   using Objects = std::map<ObjectKey, LiveObject>;
 
   explicit LiveObjects(FrameTracker& frames) : frames_(frames), placer_(frames) {}
 
-  /// From now on the edges that place an object once are needed edges of tf, too, as long as the
-  /// object is there, see TransformBuffer::neededIntake().
+  /// From now on, tf also counts as needed the edges that place an object once, as long as the
+  /// object exists, see TransformBuffer::neededIntake().
   void needPlaces() { needs_places_ = true; }
 
   /// In the order of ~boxes.
@@ -35,66 +35,68 @@ class LiveObjects {
   /// How many objects have been removed so far.
   std::uint64_t removals() const { return removals_; }
 
-  /// The objects of a name, whatever their set: at most one that has the name, and those that are
+  /// The objects with the name of `key` in any set: max one that owns the name, and those that are
   /// refused because of it.
   std::pair<Objects::const_iterator, Objects::const_iterator> named(const ObjectKey& key) const;
 
-  /// The object that has the name of `key`, but for that of `key` itself; null if none has.
+  /// The object in another set that owns the name of `key`; null if there is none.
   const LiveObject* otherOfName(const ObjectKey& key) const;
 
-  /// Starts over with the fixed frame and timeout that the tracker has now. Objects that were
-  /// placed once are carried over by the newest transform between the two frames, as soon as there
-  /// is one. Neighbours that are silent are removed.
+  /// Starts over with the tracker's current fixed frame and timeout. Objects that were placed once
+  /// are transformed to it by the newest transform between the two frames, as soon as there is one.
+  /// Silent neighbours are removed.
   void adopt(ros::Time now);
 
-  /// Adds an object or replaces it. Until the new one can be placed, the previous box stays, named
-  /// as incomplete.
+  /// Adds or replaces an object. Until the new one can be placed, the previous box stays and is
+  /// listed as incomplete.
   bool put(const ObjectKey& key, ObjectContent content, ros::Time now);
   bool remove(const ObjectKey& key);
-  /// By its name; null if none has the mesh.
+  /// Of the objects with this mesh, the first by name; null if there is none.
   const LiveObject* firstWithMesh(const std::string& uri) const;
-  /// A neighbour's that is static falls silent, too, from now on. Its name stays then.
+  /// From now on a static neighbour's box can fall silent, too. Its name then stays.
   bool endStatic(const ObjectKey& key, ros::Time now);
   /// Removes all objects of markers. Neighbours stay: they end with the messages of their sender.
   bool removeAll();
   /// Removes the objects of markers that this publisher was the last to send.
   bool removeAllOf(const std::string& publisher);
 
-  /// Gives a mesh, or why there is none, to the objects that wait for it or have an older version.
+  /// Passes a mesh, or the reason why there is none, to the objects that wait for it or have an
+  /// older version.
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
   /// To be called after each update of the poses, and before any other function reads them.
   bool update(ros::Time now);
 
-  /// After the clock began to run. What is left of a lifetime stays as it was, waiting begins
-  /// again, and no stamp of a box is ahead of `now`.
+  /// After the clock began to run. Remaining lifetimes stay the same, waiting begins again, and
+  /// stamps of boxes ahead of `now` are set to `now`.
   bool startClock(ros::Time now);
 
-  /// The same after the clock jumped back. What was placed before stays there until it is sent
-  /// again. Only then is it placed by tf of the new time, which may know its stamp, too; what is
-  /// static places it before.
+  /// As startClock(), after the clock jumped back. Placed objects stay where they are until they
+  /// are sent again. Only then are they placed again, by transforms of the new time, which may
+  /// cover their stamps. Static transforms can place an object even before that.
   bool restart(ros::Time now);
 
-  /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes and
-  /// those of silent neighbours, gives up waiting. A neighbour that has been silent for kForget
-  /// times the timeout is forgotten.
+  /// To be called now and then, after FrameTracker::expire(). Ends lifetimes, drops stale boxes and
+  /// those of silent neighbours, and gives up waiting. Neighbours that were silent for kForget
+  /// times the timeout are removed.
   bool expire(ros::Time now);
   static constexpr double kForget = 10;
 
-  /// The objects that were given up since the last call and still are.
+  /// Objects whose wait was given up since the last call and that still have no transform.
   std::vector<const LiveObject*> takeGivenUp();
 
   /// An object that is sent again and again before there is a transform at its stamp.
   struct NeverPlaced {
     const LiveObject* object;
-    double ahead;  ///< its stamp minus that of the newest transform [s]
+    double ahead;  ///< its stamp minus the stamp of the newest transform [s]
   };
 
-  /// Those that wait for longer than others until they are given up, in frames that tf connects.
+  /// Objects that have waited, over several receipts, longer than a single wait may last, although
+  /// tf connects their frame.
   std::vector<NeverPlaced> neverPlaced(ros::Time now);
 
-  /// The frame whose transform places the object: its header frame, or the fixed frame in which it
-  /// was placed, while that one is not carried over.
+  /// The frame whose transform places the object: its header frame, or the former fixed frame as
+  /// long as the placement is not transformed to the current one.
   const std::string& neededFrame(const LiveObject& object) const;
 
   /// Why the object is incomplete, in words; "" if it is not.
@@ -122,7 +124,7 @@ class LiveObjects {
 
   FrameTracker& frames_;
   bool needs_places_ = false;
-  bool has_jumped_back_ = false;  ///< the clock
+  bool has_jumped_back_ = false;  ///< whether the clock ever jumped back
   ObjectPlacer placer_;
   ObjectClock clock_;
   Objects objects_;
@@ -131,7 +133,7 @@ class LiveObjects {
   std::map<std::string, std::set<LiveObject*>> mesh_users_;         ///< by URI
   std::optional<FrameTracker::Frame> fixed_frame_;                  ///< in which the boxes are
   std::vector<ObjectKey> given_up_;
-  std::size_t waiting_ = 0;  ///< objects whose transform is not there yet
+  std::size_t waiting_ = 0;  ///< number of objects that wait for a transform
 };
 
 }  // namespace link_bounds

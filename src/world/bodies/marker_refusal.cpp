@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks in the order in which a user mends them.
+// The checks are in the order in which a user fixes a marker.
 #include "world/bodies/marker_refusal.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ bool isFinite(const geometry_msgs::Quaternion& q) {
   return std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z) && std::isfinite(q.w);
 }
 
-/// Four points at a time, so that the twelve numbers fill vector registers. A maximum may lose a
-/// NaN; a sum does not. Downwards, for the reason in point_scan.h.
+/// Four points at a time, so that the twelve numbers fill vector registers. A max may lose a NaN; a
+/// sum does not. For why the loop counts down, see point_scan.h.
 bool areBelowLimit(const std::vector<geometry_msgs::Point>& points) {
   using Twelve = Eigen::Array<double, 12, 1>;
   Twelve max = Twelve::Zero();
@@ -44,7 +44,7 @@ bool hasPoints(const Marker& marker) {
   return marker.type == Marker::ARROW || isList(marker);
 }
 
-/// How many points rviz needs, in words; null if the marker has them.
+/// The number of points that rviz needs, in words; null if the marker has them.
 const char* wantedCount(const Marker& marker) {
   const std::size_t count = marker.points.size();
   if (count == 0 && isList(marker))

@@ -9,8 +9,8 @@
 
 namespace link_bounds {
 
-/// Why the marker cannot be bounded, in words with the remedy; "" if it can, or is to be ignored.
-/// Not for markers that delete.
+/// Why the marker cannot be bounded, with the remedy; "" if it can be, or if it is ignored. Not for
+/// markers that delete.
 std::string whyMarkerRefused(const visualization_msgs::Marker& marker);
 
 }  // namespace link_bounds

@@ -12,7 +12,8 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Shares of an arrow's length in rviz (arrow_marker.cpp), unless scale.z gives the head's length.
+/// Fractions of an arrow's length in rviz (arrow_marker.cpp), unless scale.z gives the head's
+/// length.
 constexpr double kHeadPart = 0.23;
 constexpr double kShaftPart = 0.77;
 
@@ -24,7 +25,7 @@ Eigen::Vector3d toVector(const geometry_msgs::Point& p) {
   return {p.x, p.y, p.z};
 }
 
-/// Takes the memory of the points over.
+/// Takes over the memory of the points.
 std::shared_ptr<const PointSet> pointSet(std::vector<geometry_msgs::Point> points) {
   static_assert(sizeof(geometry_msgs::Point) == 3 * sizeof(double));
   const auto owner = std::make_shared<const std::vector<geometry_msgs::Point>>(std::move(points));
@@ -32,8 +33,8 @@ std::shared_ptr<const PointSet> pointSet(std::vector<geometry_msgs::Point> point
                                           owner->size());
 }
 
-/// A cylinder around `center`, whose length is along the third of `axes`; diameters along the first
-/// two. A disc if the length is 0.
+/// A cylinder around `center`. `size` is its diameters along the first two `axes` and its length
+/// along the third. A disc if the length is 0.
 Shape cylinder(const Eigen::Isometry3d& pose, const Eigen::Vector3d& center,
                const Eigen::Matrix3d& axes, const Eigen::Vector3d& size) {
   Shape shape{nullptr, Solid::kCylinder, size, pose};
@@ -50,7 +51,7 @@ Shape point(const Eigen::Isometry3d& pose, const Eigen::Vector3d& position) {
 /// An arrow in the frame of the marker.
 struct Arrow {
   Eigen::Vector3d tail;
-  Eigen::Matrix3d axes;   ///< the third leads to the tip
+  Eigen::Matrix3d axes;   ///< the third points to the tip
   Eigen::Vector2d shaft;  ///< diameters along the first two axes
   Eigen::Vector2d head;   ///< diameters of the cone along these axes
   double shaft_length;
@@ -93,7 +94,7 @@ Arrow arrowOf(const Marker& marker) {
   return marker.points.empty() ? arrowByPose(marker) : arrowByPoints(marker);
 }
 
-/// The base and the tip of a cone have the box of the cone.
+/// A cone is given by its base and its tip, which have the same box.
 std::vector<Shape> shapesOf(const Arrow& arrow, const Eigen::Isometry3d& pose) {
   const auto along = [&](double distance) { return arrow.tail + distance * arrow.axes.col(2); };
   const double length = arrow.shaft_length;
@@ -108,7 +109,7 @@ Shape scaledPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
   return shape;
 }
 
-/// The shapes of lists lack their points.
+/// For lists, the shapes do not have their points yet.
 std::vector<Shape> shapesOf(const Marker& marker) {
   const Eigen::Isometry3d pose = markerPose(marker);
   const auto solid = [&](Solid kind) { return Shape{nullptr, kind, toVector(marker.scale), pose}; };

@@ -33,7 +33,7 @@
 
 namespace link_bounds {
 
-/// What a marker draws with its shapes. A box needs only the shapes, a distance also this.
+/// How a marker draws its shapes. A box needs only the shapes; a distance also needs this.
 enum class DrawingKind {
   kSolids,     ///< each shape as it is
   kPoints,     ///< the solid at each point
@@ -54,25 +54,26 @@ struct Drawing {
 
 /// A marker as shapes.
 struct MarkerShape {
-  /// Each link_from_shape leads to the frame of the marker's header. The one shape of a
-  /// MESH_RESOURCE lacks its points: they are those of `mesh_uri`.
+  /// Each link_from_shape is the pose of a shape in the frame of the marker's header. The one shape
+  /// of a MESH_RESOURCE lacks its points: they are those of `mesh_uri`.
   std::vector<Shape> shapes;
   std::string mesh_uri;  ///< of a MESH_RESOURCE, else ""
   Drawing drawing;
 };
 
-/// False for text, which is ignored.
+/// False for text, which has no box.
 bool hasShape(const visualization_msgs::Marker& marker);
 
-/// True for types that draw something at each of their points; an arrow is given by them.
+/// True for types that draw something at each of their points. False for arrows, whose points are
+/// ends.
 bool isList(const visualization_msgs::Marker& marker);
 
-/// From the marker's frame to that of its header. A zero quaternion is the identity, others are
+/// The pose of the marker in its header frame. A zero quaternion is the identity, others are
 /// normalised. The marker must not be refused.
 Eigen::Isometry3d markerPose(const visualization_msgs::Marker& marker);
 
-/// The marker must have a shape and not be refused. Moves its points out, because a copy would cost
-/// more than all the rest. Keeps nothing else of the message, such as colours.
+/// The marker must have a shape and not be refused. Moves its points out, because copying them
+/// would take longer than all other steps. Keeps nothing else of the message, such as colours.
 MarkerShape markerShape(visualization_msgs::Marker&& marker);
 
 }  // namespace link_bounds

@@ -27,7 +27,7 @@ std::string whyRefused(const AxisAlignedBox& box, const std::string& frame) {
   return "";
 }
 
-/// Contains both corners although center and size are rounded.
+/// The result contains both corners although center and size are rounded.
 Shape boxBetween(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
   const Eigen::Vector3d center = (min + max) / 2;
   Eigen::Vector3d size = 2 * (max - center).cwiseMax(center - min);
@@ -36,7 +36,7 @@ Shape boxBetween(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
   return {nullptr, Solid::kBox, size, Eigen::Affine3d(Eigen::Translation3d(center))};
 }
 
-/// Collects what one message says.
+/// Collects the boxes and incomplete names of one message.
 class Collector {
  public:
   Collector(const std::string& sender, std::string frame) : sender_(sender) {
@@ -62,7 +62,7 @@ class Collector {
     if (missing.empty()) missing = "it is incomplete at " + sender_;
   }
 
-  /// A name without a box is as static as the boxes beside it.
+  /// A name without a box is static if the message has boxes and all of them are static.
   NeighbourBoxes take() {
     for (auto& [name, content] : result_.contents)
       content.is_static =
@@ -97,9 +97,9 @@ class Collector {
 
   const std::string& sender_;
   NeighbourBoxes result_;
-  bool has_boxes_ = false;  ///< also those that are refused
+  bool has_boxes_ = false;  ///< true also for refused boxes
   bool are_static_ = true;
-  std::map<const ObjectContent*, Corners> corners_;  ///< around all boxes of a name
+  std::map<const ObjectContent*, Corners> corners_;  ///< around all boxes of one name
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ bool share(const std::set<std::string>& a, const std::set<std::string>& b) {
   return std::any_of(a.begin(), a.end(), [&b](const auto& name) { return b.count(name) > 0; });
 }
 
-/// Without a frame, which is refused, the links alone tell whose message it is.
+/// If a message has no frame, it is refused, but its links alone tell the set that it belongs to.
 bool canBeSame(const std::string& frame, const std::string& other) {
   return frame == other || frame.empty() || other.empty();
 }
@@ -44,7 +44,7 @@ bool NeighbourSets::take(const AxisAlignedBoxArray& array, const NeighbourSender
   return is_changed;
 }
 
-/// Whether no set has these links that was sent on this connection.
+/// Whether no set of the current connection has any of these links.
 bool NeighbourSets::isNewRobot(const Sender& sender, const std::set<std::string>& links,
                                const std::string& frame) {
   const auto has_links = [&](const Set& set) {
@@ -54,7 +54,7 @@ bool NeighbourSets::isNewRobot(const Sender& sender, const std::set<std::string>
   return !links.empty() && std::none_of(sender.sets.begin(), sender.sets.end(), has_links);
 }
 
-/// Whether the boxes have all that the set has, what is static in the same place.
+/// Whether the message has all boxes of the set, the static ones in the same place.
 bool NeighbourSets::haveAllOf(const NeighbourBoxes& boxes, const std::string& sender,
                               const Set& set) const {
   std::map<ObjectKey, const ObjectContent*> sent;
@@ -72,8 +72,8 @@ bool NeighbourSets::haveAllOf(const NeighbourBoxes& boxes, const std::string& se
   });
 }
 
-/// What the sender had on a former connection falls silent, also what is static, unless it sends
-/// that again.
+/// From now on, boxes that the sender sent only on a former connection can fall silent, even static
+/// ones.
 bool NeighbourSets::endStatic(Sender& sender, ros::Time now) {
   bool is_changed = false;
   for (const Set& set : sender.sets) {
@@ -84,14 +84,15 @@ bool NeighbourSets::endStatic(Sender& sender, ros::Time now) {
   return is_changed;
 }
 
-/// Null if it is not known whose message it is: an empty one of a sender with several sets or none,
-/// or one without a frame that fits several. Other messages may show that two sets are one.
+/// The set that a message belongs to, or null if that is unknown: for an empty message of a sender
+/// with several sets or none, or one without a frame that fits several. A message may show that two
+/// sets belong to one robot; all but the first are then removed.
 NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const std::string& name,
                                          const NeighbourBoxes& boxes, bool& is_changed) {
   std::set<std::string> links = linksOf(boxes);
   const bool is_empty = boxes.contents.empty();
   const bool is_merging = !is_empty && !boxes.frame.empty();
-  // It may be that of the node that served these objects alone until now.
+  // The robot may be that of a sender that until now sent only these objects.
   const bool is_new = is_merging && isNewRobot(sender, links, boxes.frame);
   std::list<Set>& sets = sender.sets;
   Set* found = nullptr;
@@ -138,7 +139,7 @@ bool NeighbourSets::replace(Set& set, const std::string& sender, NeighbourBoxes 
   return is_changed;
 }
 
-/// The first of the names that no other object has; the first one at all if each is taken.
+/// The first of the names that no other object has; names.front() if all are taken.
 ObjectKey NeighbourSets::freeKey(const std::vector<std::string>& names, const Set& set,
                                  const std::map<ObjectKey, ObjectContent>& taken) const {
   for (const std::string& name : names) {
@@ -198,7 +199,7 @@ bool NeighbourSets::isLost(Sender& sender, ros::SteadyTime now) const {
   return now - *sender.lost_since >= ros::WallDuration(kFarewell);
 }
 
-/// Objects end by themselves when they have been silent for long, or with a ~reload.
+/// Forgets sets whose objects were removed after a long silence or by a ~reload.
 void NeighbourSets::forgetEmptySets(Sender& sender) const {
   for (auto set = sender.sets.begin(); set != sender.sets.end();) {
     if (!std::exchange(set->is_fresh, false) && set->removals != objects_.removals()) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which boxes of other nodes there are: each message replaces one set of boxes.
+// Bookkeeping of the boxes of other nodes: each message replaces one set of boxes.
 #pragma once
 
 #include <boost/shared_ptr.hpp>
@@ -17,53 +17,53 @@ namespace link_bounds {
 
 struct NeighbourSender {
   std::string name;  ///< of the node
-  /// The header of the connection. roscpp keeps it as long as the publisher is registered, also
-  /// while the connection is lost. Null: the sender never ends.
+  /// The connection header. roscpp keeps it as long as the publisher is registered, even while the
+  /// connection is lost. Null: the sender never ends.
   boost::shared_ptr<const void> connection = nullptr;
 };
 
-/// Whether the node of that name has ended in order. A connection also ends where a node was killed
-/// and started again, and where a new master does not know all nodes yet. Asked of each sender at
+/// Whether the node of that name was shut down in order. A connection also ends if a node is killed
+/// and started again, or while a new master does not know all nodes yet. Called for each sender at
 /// each tick.
 using HasLeft = std::function<bool(const std::string& node)>;
 
-/// A sender may be a relay that passes on the boxes of several robots. So a set is what a sender
-/// says in one frame of links of which at least one is the same in each message. Messages without
-/// links are one more set of their sender and frame, which becomes that of a robot whose first
-/// message has all of its boxes, the static ones in the same place. An empty message of a sender
-/// that was started again does not end what it had before: it may not know its robot yet. Once it
-/// has sent boxes, what it does not send again falls silent, also what is static. Functions return
-/// true if a box, a stamp or an incomplete name changed.
+/// A sender may be a relay that passes on the boxes of several robots. So a set is the boxes from
+/// one sender in one frame whose messages share at least one link name with the previous one.
+/// Messages without links form another set of their sender and frame. A new robot takes over that
+/// set if its first message has all of its boxes, the static ones in the same place. After a sender
+/// was started again, an empty message does not end its earlier boxes, because it may not know its
+/// robot yet. Once it has sent boxes, earlier boxes that it does not send again fall silent, even
+/// static ones. Functions return true if a box, a stamp or an incomplete name changed.
 class NeighbourSets {
  public:
-  /// How long after the end of a connection [s] its boxes go, unless a new one brings a message:
-  /// roscpp tries again 0.1 s after it lost a connection.
+  /// Boxes are removed this long after the end of their connection [s], unless a new connection
+  /// brings a message: roscpp reconnects 0.1 s after it lost a connection.
   static constexpr double kFarewell = 0.5;
 
   explicit NeighbourSets(LiveObjects& objects) : objects_(objects) {}
   NeighbourSets(const NeighbourSets&) = delete;
   NeighbourSets& operator=(const NeighbourSets&) = delete;
 
-  /// Boxes that the set had and that the message does not name are gone. A box whose name belongs
-  /// to another object has the frame in its name; if that name is taken, too, it is refused.
+  /// Removes boxes of the set that the message does not name. If the name of a box belongs to
+  /// another object, the frame is added to it; if that name is taken, too, the box is refused.
   bool take(const AxisAlignedBoxArray& array, const NeighbourSender& sender, ros::Time now);
 
-  /// Removes the boxes of senders that have ended in order, and forgets sets without boxes. Others
-  /// whose connection has ended are silent.
+  /// Removes the boxes of senders that were shut down in order, and forgets sets without boxes.
+  /// Boxes of other senders whose connection ended stay until they fall silent.
   bool removeEnded(ros::SteadyTime now, const HasLeft& has_left);
 
-  /// What was logged may be logged again.
+  /// Lines that were logged may be logged again.
   void forgetLog() { log_.forget(); }
 
  private:
   struct Set {
     std::uint64_t number;
     std::string frame;
-    std::set<std::string> links;             ///< in the newest message
-    std::set<ObjectKey> keys;                ///< of its objects
-    boost::weak_ptr<const void> connection;  ///< of the newest message
-    bool is_fresh = false;                   ///< since the last call of removeEnded()
-    std::uint64_t removals = 0;  ///< of all objects, when `keys` were last compared with them
+    std::set<std::string> links;             ///< link names in the newest message
+    std::set<ObjectKey> keys;                ///< of the objects in the set
+    boost::weak_ptr<const void> connection;  ///< connection of the newest message
+    bool is_fresh = false;                   ///< got a message since the last removeEnded()
+    std::uint64_t removals = 0;  ///< LiveObjects::removals() when `keys` were last checked
   };
 
   struct Sender {
@@ -90,7 +90,7 @@ class NeighbourSets {
 
   LiveObjects& objects_;
   std::map<std::string, Sender> senders_;
-  std::uint64_t sets_ = 0;  ///< so far
+  std::uint64_t sets_ = 0;  ///< number of sets made so far
   RefusalLog log_{"the box", "further boxes"};
 };
 

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of messages that boxes can be computed from.
+// The range of numbers in messages for which boxes can be computed.
 #pragma once
 
 #include <cmath>
 
 namespace link_bounds {
 
-/// A pose may contain up to 1e30 [m]; a tenth of it leaves room for rotating and adding.
+/// Max absolute value [m]: a pose may contain up to 1e30; a tenth leaves room for rotating and
+/// adding.
 constexpr double kMaxNumber = 1e29;
 
 /// False for NaN.

@@ -9,15 +9,16 @@
 namespace link_bounds {
 namespace {
 
-/// Stamps that are less ahead of the clock [ns] come from clocks that differ a little.
+/// A stamp that is ahead of the clock by max this [ns] is put down to a clock that differs a
+/// little.
 constexpr std::int64_t kFarAhead = 500'000'000;
 
-/// 0 if it is for ever.
+/// In ns; 0 means for ever.
 std::int64_t lifetime(const LiveObject& object) {
   return std::max<std::int64_t>(object.lifetime.toNSec(), 0);
 }
 
-/// How much of the lifetime has passed; of a neighbour, for how long it is silent.
+/// The part of the lifetime that has passed [ns]; for a neighbour, the time since its last message.
 std::int64_t elapsed(const LiveObject& object, std::int64_t now) {
   const std::int64_t age = now - object.received;
   return object.content->is_neighbour ? age : std::min(age, lifetime(object));

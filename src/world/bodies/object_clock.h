@@ -15,22 +15,23 @@ namespace link_bounds {
 /// ros::Duration.
 class ObjectClock {
  public:
-  /// The time, which is remembered.
+  /// Notes the current time and returns it.
   std::int64_t observe(ros::Time now);
 
-  /// The time after the clock jumped back or began to run. What is left of an object's lifetime
-  /// stays as it was.
+  /// Starts over after the clock jumped back or began to run, and returns `now`. The remaining
+  /// lifetimes of objects stay the same if receivedAfterJump() was called for each before.
   std::int64_t restart(ros::Time now);
 
-  /// Where the object's age began, as restart() shifts it. To be called before restart().
+  /// The receipt time that gives the object the same age at `now` as before a jump. To be called
+  /// before restart().
   std::int64_t receivedAfterJump(const LiveObject& object, ros::Time now) const;
 
-  /// Whether the content can have been stamped since the clock last jumped back or began
-  /// to run.
+  /// Whether the content's stamp is between the last jump back (or the start of the clock) and 0.5
+  /// s after `now`.
   bool isSinceJump(const ObjectContent& content, std::int64_t now) const;
 
-  /// The stamp of a box of this content. What was sent before the clock jumped back may arrive
-  /// after it; it is stamped `now`.
+  /// The stamp for a box of this content. An object that was sent before the clock jumped back may
+  /// arrive after it; its stamp is then `now`.
   std::int64_t stampOf(const ObjectContent& content, std::int64_t now) const;
 
  private:
@@ -39,7 +40,7 @@ class ObjectClock {
   std::int64_t newest_now_ = 0;  ///< the newest time before any jump back
 };
 
-/// True at the end of the object's lifetime.
+/// True if the object's lifetime is over.
 bool hasExpired(const LiveObject& object, std::int64_t now);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A placement is kept in the fixed frame of its time.
+// A placement stays in the fixed frame in which it was made, and is transformed when it is read.
 #include "world/bodies/object_placer.h"
 
 #include "world/tf/nanoseconds.h"
@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-/// How long to wait for a transform if nothing ever becomes stale [ROS s].
+/// How long to wait for a transform if the timeout is 0, so that nothing becomes stale [ROS s].
 constexpr double kUnknownTimeout = 10;
 
 }  // namespace
@@ -27,8 +27,8 @@ ObjectPose ObjectPlacer::place(LiveObject& object, ros::Time now) {
   return {problem, pose, object.stamp};
 }
 
-/// kWaiting while the transform at its stamp may come, then kGivenUp, or an earlier placement
-/// stays.
+/// Places the object by the transform at its stamp. Without one: kWaiting as long as it may come.
+/// After that an earlier placement stays; if there is none, kGivenUp.
 TransformProblem ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
   if (object.problem == TransformProblem::kGivenUp) return object.problem;
   const std::int64_t stamp = object.content->stamp;
@@ -47,7 +47,8 @@ TransformProblem ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
   return TransformProblem::kNone;
 }
 
-/// Whether tf can be of the time when the object was sent. What is static is of any time.
+/// Whether tf can be of the same side of a clock jump as the object's stamp. Static transforms are
+/// valid at any time.
 bool ObjectPlacer::knowsTimeOf(const LiveObject& object) {
   if (object.stamp_time != StampTime::kNotSent || object.frame == *frames_.fixedFrame())
     return true;
@@ -75,7 +76,7 @@ bool ObjectPlacer::hasWaitedLong(std::int64_t since, ros::Time now) const {
   return static_cast<double>(waited) > patience * 1e9;
 }
 
-/// Fixed from header frame, if the placement is known in the present fixed frame.
+/// The pose fixed_from_header in the current fixed frame, if the transform to it is known.
 std::optional<Eigen::Affine3d> ObjectPlacer::carried(const ObjectPlacement& placement) const {
   if (placement.fixed_frame == frames_.fixedFrame()) return placement.fixed_from_header;
   const std::optional<Eigen::Affine3d>& carry = carries_.at(placement.fixed_frame).fixed_from_old;
@@ -91,7 +92,7 @@ void ObjectPlacer::carryFrom(const std::vector<Frame>& old_fixed_frames) {
   }
 }
 
-/// Poses that are stale or not finite are not used, because a carry stays.
+/// Ignores poses that are stale or not finite, because a transform that was found is kept.
 bool ObjectPlacer::findCarries() {
   bool is_found = false;
   for (auto& [frame, carry] : carries_) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where objects are in the fixed frame: they follow their header frame, or stay where they were
+// Poses of objects in the fixed frame: they follow their header frame, or stay where they were
 // placed once.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace link_bounds {
 
 struct ObjectPose {
   TransformProblem problem = TransformProblem::kNoTransform;
-  /// Without a problem, or where an object waits that was placed earlier.
+  /// Set if there is no problem, or if the object waits at an earlier placement.
   std::optional<Eigen::Affine3d> fixed_from_header = std::nullopt;
   std::int64_t stamp = 0;  ///< of the box [ns], if there is a pose
 };
@@ -27,29 +27,31 @@ class ObjectPlacer {
   ObjectPlacer(const ObjectPlacer&) = delete;
   ObjectPlacer& operator=(const ObjectPlacer&) = delete;
 
-  /// Where the object is. There must be a fixed frame. Places an object that is placed once as soon
-  /// as there is a transform at its stamp.
+  /// The object's pose. There must be a fixed frame. An object that is placed once is placed by the
+  /// first call at which tf has a transform at its stamp.
   ObjectPose place(LiveObject& object, ros::Time now);
 
-  /// Objects that were placed in these frames are carried over to the present fixed frame, each by
-  /// the first transform between the two frames that is good.
+  /// From now on, placements in these frames are transformed to the current fixed frame, by the
+  /// first valid transform between the two frames.
   void carryFrom(const std::vector<Frame>& old_fixed_frames);
 
-  /// To be called after each update of the poses. True if there is a new transform for carrying.
+  /// To be called after each update of the poses. True if a transform from an old fixed frame was
+  /// found.
   bool findCarries();
 
-  /// True if this is too long to wait for the transform at a stamp.
+  /// Whether a wait since `since` [ns] for the transform at a stamp has become too long.
   bool hasWaitedLong(std::int64_t since, ros::Time now) const;
 
  private:
-  /// From an old fixed frame; followed until there is a pose, which then stays.
+  /// The transform from an old fixed frame. That frame is followed until it has a pose, which is
+  /// then kept.
   struct Carry {
     FrameTracker::Handle old_frame;
     std::optional<Eigen::Affine3d> fixed_from_old;
   };
 
-  /// What tf last said of a frame at a time. Many objects of one message have it in common: without
-  /// it each walks the same path, for each message of tf while they wait.
+  /// The last pose that was looked up in tf. Many objects of one message have the same frame and
+  /// stamp: without this cache, each would read the same path for each tf message while it waits.
   struct PastPose {
     Frame fixed_frame;
     Frame frame;

@@ -75,8 +75,8 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   return content;
 }
 
-/// Gives the content its mesh. Requests the mesh the first time, and again where loading it may
-/// have been given up because no object used it meanwhile.
+/// Gives the content its mesh. Requests the mesh the first time, and again if loading may have been
+/// cancelled while no object used it.
 void ObjectSource::useMesh(ObjectContent& content) {
   eraseDead(meshes_, max_meshes_, [](const Mesh& mesh) { return mesh.use.expired(); });
   Mesh& mesh = meshes_[content.mesh_uri];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From markers of any publisher to objects: what is added, replaced, deleted, refused or ignored.
+// Turns markers of any publisher into objects: adds, replaces, deletes, refuses or ignores them.
 #pragma once
 
 #include <link_bounds/AxisAlignedBoxArray.h>
@@ -20,7 +20,7 @@
 namespace link_bounds {
 
 /// Nodes like this one draw boxes of objects in namespaces with this prefix, which are ignored
-/// here. A DELETEALL in one is for what its sender has drawn.
+/// here. A DELETEALL in such a namespace only removes objects of its sender.
 constexpr char kDrawingsNamespace[] = "link_bounds/";
 
 inline bool isDrawing(const visualization_msgs::Marker& marker) {
@@ -30,13 +30,13 @@ inline bool isDrawing(const visualization_msgs::Marker& marker) {
 /// A mesh that objects wait for.
 struct MeshRequest {
   std::string uri;
-  std::weak_ptr<const std::string> use;  ///< once it has gone, nobody waits for the mesh
-  std::uint64_t number = 0;              ///< the later, the larger
+  std::weak_ptr<const std::string> use;  ///< once this expires, nobody waits for the mesh
+  std::uint64_t number = 0;              ///< increases with each request
 };
 
 /// Runs on the update thread. Requests meshes by `request_mesh`, which returns at once; the mesh,
-/// or why there is none, comes back through fillMesh(). Functions return true if a box, a stamp or
-/// an incomplete name changed.
+/// or the reason why there is none, comes back through fillMesh(). Functions return true if a box,
+/// a stamp or an incomplete name changed.
 class ObjectSource {
  public:
   ObjectSource(LiveObjects& objects, std::function<void(const MeshRequest&)> request_mesh);
@@ -44,7 +44,7 @@ class ObjectSource {
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
 
-  /// ~boxes of another node.
+  /// Takes a message on ~boxes of another node.
   bool takeNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender,
                      ros::Time now) {
     return neighbours_.take(boxes, sender, now);
@@ -55,18 +55,18 @@ class ObjectSource {
     return neighbours_.removeEnded(now, has_left);
   }
 
-  /// An answer to an earlier request than the last one of the mesh does not count: the file may
-  /// have changed since.
+  /// Ignores answers to any but the last request for a mesh: the file may have changed since.
   bool fillMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now);
 
-  /// Logs which objects waited for a transform that did not come, or wait again and again.
+  /// Logs objects whose transform did not come in time, or that are sent again and again without
+  /// one.
   void warnOfGivenUp(ros::Time now);
 
   using Points = std::map<std::string, std::weak_ptr<const PointSet>>;  ///< of meshes, by URI
 
-  /// Requests the meshes of all objects again: files may have been repaired or replaced. Those that
-  /// are not `unchanged` keep the boxes of the old file and are incomplete until the new one is
-  /// there. What was logged may be logged again.
+  /// Requests the meshes of all objects again: files may have been repaired or replaced. Objects
+  /// whose mesh is not in `unchanged` keep the box of the old file and are incomplete until the new
+  /// file is loaded. Lines that were logged may be logged again.
   bool reloadMeshes(const Points& unchanged, ros::Time now);
 
  private:
@@ -74,8 +74,8 @@ class ObjectSource {
   struct Mesh {
     std::weak_ptr<const PointSet> points;
     std::string error;
-    std::uint64_t request = 0;  ///< the number of the one that is not answered yet; 0: none
-    bool has_changed = false;   ///< its file, since the points were read
+    std::uint64_t request = 0;  ///< number of the pending request; 0: none
+    bool has_changed = false;   ///< the file has changed since the points were read
     std::weak_ptr<const std::string> use;
   };
 
@@ -89,7 +89,7 @@ class ObjectSource {
   NeighbourSets neighbours_{objects_};
   std::function<void(const MeshRequest&)> request_mesh_;
   std::uint64_t requests_ = 0;
-  /// A publisher may invent names without end: those that nobody uses are forgotten now and then.
+  /// Names that nobody uses are forgotten now and then: a publisher may send any number of them.
   std::map<std::string, Mesh> meshes_;  ///< by URI
   std::size_t max_meshes_ = kManyMeshes;
   RefusalLog marker_log_{"the marker", "further markers"};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses first, then what they move; groups over links and objects.
+// Updates the poses first, then the boxes. Groups cover links and objects.
 #include "world/bodies/scene.h"
 
 #include <limits>
@@ -46,7 +46,7 @@ BoxSource Scene::boxSource(const SceneBody& body) const {
   static const std::shared_ptr<const ObjectContent> kNone;
   if (body.link) return {model()->links[*body.link], kNone, links.frame(*body.link), nullptr};
   const BoxedObject& boxed = body.object->boxed;
-  // The box of an earlier content stands still until the present one can be placed.
+  // A box of an earlier content stays in place until the current content can be placed.
   if (boxed.content == body.object->content && boxed.content->follows())
     return {boxed.content->bounded, boxed.content, body.object->frame, nullptr};
   return {boxed.content->bounded, boxed.content, *frames.fixedFrame(), &boxed.fixed_from_header};

@@ -12,24 +12,24 @@
 
 namespace link_bounds {
 
-/// A link or an object, as it is now. Valid until the scene changes.
+/// The current state of a link or an object. Valid until the scene changes.
 struct SceneBody {
-  const std::string& name;  ///< that of its box
+  const std::string& name;  ///< the name of its box
   const BoxState& state;
   std::optional<std::size_t> link;  ///< its index in the model
   const ObjectKey* key;             ///< null for links
   const LiveObject* object;         ///< null for links
 };
 
-/// What the box of a body is computed from. Valid until the scene changes.
+/// The input from which the box of a body is computed. Valid until the scene changes.
 struct BoxSource {
   const BoundedLink& bounded;                          ///< its shapes
   const std::shared_ptr<const ObjectContent>& object;  ///< null for links
-  TransformBuffer::Frame frame;                        ///< that it moves with
+  TransformBuffer::Frame frame;                        ///< the frame that it moves with
   const Eigen::Affine3d* frame_from_body;              ///< null: identity
 };
 
-/// All functions that return bool tell whether a box, what is in it, a stamp or an incomplete name
+/// All functions that return bool tell whether a box, its content, a stamp or an incomplete name
 /// changed.
 struct Scene {
   explicit Scene(TransformBuffer& tf) : frames(tf), links(frames), objects(frames) {}
@@ -46,15 +46,16 @@ struct Scene {
   /// After the clock jumped back, when tf was cleared.
   bool restart(ros::Time now);
 
-  /// To be called now and then: finds what has become too old.
+  /// To be called now and then: drops boxes that have become too old.
   bool expire(ros::Time now);
 
-  /// Null until the first model is there; nothing is published before.
+  /// Null before the first adopt(); nothing is published until then.
   const Model* model() const { return links.model(); }
 
   std::size_t size() const { return links.states().size() + objects.objects().size(); }
 
-  /// Calls visit(SceneBody) for each box there is or should be, in the order of ~boxes.
+  /// Calls visit(SceneBody) for each link and object, with or without a box, in the order of
+  /// ~boxes.
   template <class Visit>
   void forEach(Visit&& visit) const {
     for (std::size_t i = 0; i < links.states().size(); ++i)
@@ -66,10 +67,10 @@ struct Scene {
   /// Why the body is incomplete, in words; "" if it is not.
   std::string reason(const SceneBody& body) const;
 
-  /// Of a body that has a box, or of any link with shapes.
+  /// The body must have a box or be a link with shapes.
   BoxSource boxSource(const SceneBody& body) const;
 
-  /// The pose of its box in the fixed frame, if there is one.
+  /// The pose in the fixed frame from which its box was computed. There must be a box.
   const Eigen::Affine3d& pose(const SceneBody& body) const;
 
   FrameTracker frames;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The clock is observed before anything else.
+// Each message and tick first checks the clock for jumps.
 #include "world/bodies/scene_feed.h"
 
 #include <ros/console.h>
@@ -36,7 +36,8 @@ void SceneFeed::taken(bool is_changed, ros::Time now) {
   if (!joins_) update(now);
 }
 
-/// Objects are placed as if all transforms that came before them had been looked at one by one.
+/// To be called before objects are taken: they are placed as if each earlier transform had been
+/// processed at once.
 void SceneFeed::updatePoses(ros::Time now) {
   if (std::exchange(has_new_transforms_, false)) is_changed_ |= scene_.update(now);
 }
@@ -105,7 +106,7 @@ void SceneFeed::logJump() {
   if (!line.empty()) ROS_WARN_STREAM(line);
 }
 
-/// Nothing is reported before the first model.
+/// Reports nothing before the first model.
 void SceneFeed::onNews() {
   if (scene_.model()) handlers_.on_news();
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene with what feeds it: tf, markers, meshes and the clock. The node and bag_bounds share it,
-// so that the same messages give the same boxes.
+// A scene and its inputs: tf, markers, meshes and the clock. The node and bag_bounds share it, so
+// that the same messages give the same boxes.
 #pragma once
 
 #include <visualization_msgs/Marker.h>
@@ -28,10 +28,10 @@ class SceneFeed {
     /// A box, a stamp or an incomplete name changed. Called only if there is a model, and at most
     /// once for each update, tick and jump of the clock.
     std::function<void()> on_news;
-    HasLeft has_left = [](const std::string&) { return false; };  ///< of neighbours
+    HasLeft has_left = [](const std::string&) { return false; };  ///< whether a neighbour has ended
   };
 
-  /// See ClockWatch of `steady_now`.
+  /// For `steady_now` see ClockWatch.
   explicit SceneFeed(Handlers handlers,
                      std::function<ros::SteadyTime()> steady_now = ros::SteadyTime::now);
   SceneFeed(const SceneFeed&) = delete;
@@ -40,14 +40,14 @@ class SceneFeed {
   /// Starts over with a model. Objects and transforms stay. Does not call on_news.
   void adopt(std::shared_ptr<const Model> model, ros::Time now);
 
-  /// While `joins`, messages are only taken: they become news with the next update() or tick, which
-  /// must come before anything else reads the scene.
+  /// While `joins` is true, messages are only collected. They take effect in the next update() or
+  /// tick, which must come before anything else reads the scene.
   void setJoining(bool joins) { joins_ = joins; }
 
-  /// Updates the scene with all that was taken.
+  /// Updates the scene with all collected messages.
   void update(ros::Time now);
 
-  /// How many messages had no update of their own, see setJoining(), since the last call.
+  /// The number of messages since the last call that had no update of their own, see setJoining().
   std::size_t takeJoined() { return std::exchange(joined_, 0); }
 
   /// See TransformInput.
@@ -55,16 +55,16 @@ class SceneFeed {
                     const TransformInput::Publisher& publisher, ros::Time now,
                     ros::SteadyTime arrival);
 
-  /// The markers of one message, which are moved from.
+  /// The markers of one message. They are moved from.
   void onMarkers(visualization_msgs::Marker* markers, std::size_t count,
                  const std::string& publisher, ros::Time now);
 
-  /// ~boxes of another node.
+  /// Takes a message on ~boxes of another node.
   void onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender, ros::Time now);
 
   void onMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now);
 
-  /// To be called every kTick [s]: finds what has become too old, at most one tick late.
+  /// To be called every kTick [s]: drops boxes that have become too old, max one tick late.
   void onTick(ros::Time now);
   static constexpr double kTick = 0.05;
 
@@ -95,9 +95,9 @@ class SceneFeed {
   ClockWatch clock_;
   RepeatLog jump_log_;
   bool joins_ = false;
-  bool has_new_transforms_ = false;  ///< this and the next two: since the last update
+  bool has_new_transforms_ = false;  ///< this, is_changed_ and taken_: since the last update
   bool is_changed_ = false;
-  std::size_t taken_ = 0;   ///< messages
+  std::size_t taken_ = 0;   ///< number of messages
   std::size_t joined_ = 0;  ///< see takeJoined()
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Nothing that the message says about itself is believed.
+// All sizes and offsets in the message are checked before they are used.
 #include "world/cloud/cloud_layout.h"
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-constexpr double kMaxNanoseconds = 9e18;  // of 64 bits
-constexpr double kMinNanoseconds = 1e3;   // smaller ones are seconds of a clock that has just begun
-constexpr double kMaxRelative = 1e9;      // s; tf knows no such time, and more would overflow
+constexpr double kMaxNanoseconds = 9e18;  // must fit into 64 bits
+constexpr double kMinNanoseconds = 1e3;   // smaller numbers: seconds of a clock that just began
+constexpr double kMaxRelative = 1e9;      // s; tf covers no such time, and larger values overflow
 
-/// The first of these that there is counts.
+/// If a cloud has several of these fields, the first one in this order counts.
 constexpr std::array<const char*, 4> kTimeFields{"t", "offset_time", "time", "timestamp"};
 
 const PointField* find(const PointCloud2& cloud, const std::string& name) {
@@ -49,7 +49,7 @@ std::string numbers(std::uint64_t a, const std::string& words, std::uint64_t b) 
   return std::to_string(a) + words + std::to_string(b);
 }
 
-/// Of the message as a whole; "" if it fits its data.
+/// Why the sizes in the message contradict each other or its data; "" if they do not.
 std::string problemOfSizes(const PointCloud2& cloud) {
   const std::uint64_t width = cloud.width, height = cloud.height;
   if (cloud.is_bigendian)
@@ -117,14 +117,15 @@ std::string readTime(const PointCloud2& cloud, CloudPoints& points) {
   return "";
 }
 
-/// The stamp for what is not finite.
+/// `stamp` if `seconds` is not finite.
 std::int64_t fromRelative(double seconds, std::int64_t stamp) {
   if (!std::isfinite(seconds)) return stamp;
   return stamp + std::llround(std::clamp(seconds, -kMaxRelative, kMaxRelative) * 1e9);
 }
 
-/// Seconds after the stamp, or seconds or nanoseconds of ROS time: what is nearest to the stamp,
-/// however far that is, so that tf refuses what is no time. The stamp for what is not finite.
+/// Reads `value` as seconds after the stamp, seconds of ROS time or nanoseconds of ROS time:
+/// whichever is nearest to the stamp, however far off, so that tf refuses nonsense. Not finite:
+/// `stamp`.
 std::int64_t fromNumber(double value, std::int64_t stamp) {
   if (!std::isfinite(value)) return stamp;
   const double stamp_seconds = static_cast<double>(stamp) * 1e-9;
@@ -135,16 +136,16 @@ std::int64_t fromNumber(double value, std::int64_t stamp) {
                                     : std::abs(value * 1e-9 - stamp_seconds);
   if (as_relative <= std::min(as_seconds, as_nanoseconds)) return stamp + std::llround(value * 1e9);
   if (as_seconds <= as_nanoseconds) {
-    // Seconds and their fraction apart: in nanoseconds, the product would lose digits.
+    // Converts whole seconds and fraction apart: as a double, nanoseconds would lose digits.
     const double seconds = std::floor(value);
     return static_cast<std::int64_t>(seconds) * 1000000000 + std::llround((value - seconds) * 1e9);
   }
   return static_cast<std::int64_t>(std::clamp(value, 0.0, kMaxNanoseconds));
 }
 
-/// The smallest and the largest of the times that `read` gives, of points whose coordinates are
-/// finite. The first one is larger if there is no such point. A loop of its own for each type of
-/// coordinates and of times takes a third of the instructions.
+/// The min and max of the times that `read` returns, of points with finite coordinates. If there is
+/// no such point, the first is larger. As a template it takes a third of the instructions of a loop
+/// that checks the types of coordinates and times at each point.
 template <class Coordinate, class Read>
 auto timesOf(const CloudPoints& points, const Read& read) {
   using Time = decltype(read(points.data));
@@ -154,7 +155,7 @@ auto timesOf(const CloudPoints& points, const Read& read) {
     const Coordinate sum = CloudPoints::read<Coordinate>(bytes + points.x) +
                            CloudPoints::read<Coordinate>(bytes + points.y) +
                            CloudPoints::read<Coordinate>(bytes + points.z);
-    // A sum is finite only if all are; one too large for that is no place either.
+    // A sum is finite only if all terms are; if it overflows, the point is nowhere real either.
     if (!std::isfinite(sum)) return;
     const Time time = read(bytes);
     times.first = std::min(times.first, time);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the coordinates and times of points are in the bytes of a cloud, and those of a scan.
+// The layout of a cloud: where the coordinates and times of points are in its bytes. Also converts
+// a laser scan to such points.
 //
 // Drivers write the time of a point into one of four fields:
 //
@@ -8,9 +9,9 @@
 //   time                  float32  seconds after the header's stamp, or before it: Velodyne
 //   timestamp             float64  seconds of ROS time: Hesai, RoboSense; nanoseconds: Livox
 //
-// So whole numbers are nanoseconds after the header's stamp, and float32 are seconds after it, for
-// they could not tell ROS time. A float64 is seconds after it, or seconds or nanoseconds of ROS
-// time: what is nearest to the stamp.
+// So integers are nanoseconds after the header's stamp. A float32 is seconds after it, because it
+// is too coarse for ROS time. A float64 is seconds after it, or seconds or nanoseconds of ROS time:
+// whichever is nearest to the stamp.
 #pragma once
 
 #include <sensor_msgs/LaserScan.h>
@@ -25,8 +26,8 @@
 
 namespace link_bounds {
 
-/// A float64 of a cloud may be seconds after the stamp or ROS time; relative seconds are a float64
-/// after the stamp.
+/// kFloat64 is a time that may be relative to the stamp or ROS time. kRelativeSeconds is also
+/// stored as a float64, but always in seconds after the stamp.
 enum class NumberType { kFloat32, kFloat64, kInt32, kUint32, kRelativeSeconds };
 
 struct NumberField {
@@ -34,14 +35,14 @@ struct NumberField {
   NumberType type;
 };
 
-/// Points in memory that somebody else holds. Every offset lies within it.
+/// Points in memory that another object owns. Every offset lies within that memory.
 struct CloudPoints {
   const std::uint8_t* data = nullptr;
   std::size_t width = 0;
   std::size_t height = 0;
   std::size_t point_step = 0;  ///< bytes
   std::size_t row_step = 0;
-  std::size_t x = 0, y = 0, z = 0;  ///< offsets
+  std::size_t x = 0, y = 0, z = 0;  ///< offsets in a point [bytes]
   bool is_double = false;           ///< else coordinates are float32
   std::optional<NumberField> time;
   std::int64_t stamp = 0;  ///< of the header [ns]
@@ -77,7 +78,7 @@ struct CloudPoints {
     return {read<float>(bytes + x), read<float>(bytes + y), read<float>(bytes + z)};
   }
 
-  /// [ns]; the stamp if the point has no usable time.
+  /// The time of a point [ns]; the header's stamp if the point has no usable time.
   std::int64_t timeOf(const std::uint8_t* bytes) const;
 };
 
@@ -89,8 +90,7 @@ struct CloudLayout {
 /// The message must outlive the result.
 CloudLayout layoutOf(const sensor_msgs::PointCloud2& cloud);
 
-/// From the first to the last time of all points whose coordinates are finite. Nothing if there is
-/// no such point.
+/// The first and the last time of all points with finite coordinates; nothing if there are none.
 struct TimeSpan {
   std::int64_t begin, end;  // ns
 };
@@ -99,8 +99,8 @@ std::optional<TimeSpan> timeSpan(const CloudPoints& points);
 /// Why the scan cannot be read, and the remedy; "" if it can.
 std::string problemOf(const sensor_msgs::LaserScan& scan);
 
-/// The points that a laser scan without a problem stands for. A point per range: where it was
-/// measured, and when. Ranges outside range_min to range_max give points that are not finite.
+/// The points of a laser scan without a problem: one per range, with the place and the time of its
+/// measurement. Ranges outside range_min to range_max give points that are not finite.
 class LaserPoints {
  public:
   explicit LaserPoints(const sensor_msgs::LaserScan& scan);

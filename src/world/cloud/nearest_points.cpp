@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs of points that follow each other have a box each. For each link the nearest boxes come
-// first, until a box is farther than the best point.
+// Points that follow each other form runs, each with a box. For each link, runs are searched in the
+// order of their boxes' distance, until a box is farther than the best point.
 #include "world/cloud/nearest_points.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace link_bounds {
 namespace {
 
-/// A cloud of 640 x 480 so has 4,800 runs, which are sorted for each link.
+/// With this, a cloud of 640 x 480 has 4,800 runs, which are sorted for each link.
 constexpr std::size_t kPointsPerRun = 64;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -26,11 +26,11 @@ double boxDistance(const Aabb& a, const Aabb& b) {
   return (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0).norm();
 }
 
-/// The points that are left, in runs.
+/// The points that are not removed, in runs.
 class Runs {
  public:
   struct Run {
-    std::size_t begin = 0, end = 0;  ///< in points()
+    std::size_t begin = 0, end = 0;  ///< indices for point()
     Aabb box;
   };
   struct Point {
@@ -108,7 +108,7 @@ class Search {
   }
 
  private:
-  /// `best_.lower` is a bound for all points so far, because what is farther is left out.
+  /// `best_.lower` bounds all points so far, because skipped points are farther away.
   void look(const Runs::Point& point) {
     const std::uint8_t* bytes = query_.points.point(point.index);
     if (query_.points.time) cursor_.seek(query_.points.timeOf(bytes));
@@ -121,7 +121,7 @@ class Search {
     nearest_ = &point;
   }
 
-  /// The nearest point again, in the pose that tf2 gives for its own time.
+  /// Measures the nearest point again, in the pose that tf2 gives for its own time.
   std::optional<NearestPoint> result() const {
     if (!nearest_) return std::nullopt;
     const std::int64_t stamp = query_.points.timeOf(query_.points.point(nearest_->index));
@@ -136,7 +136,7 @@ class Search {
                         on_link,         nearest_->place, found.is_of_mesh};
   }
 
-  static constexpr double kRounding = 1e-11;  ///< of places within kMaxPointRange [m]
+  static constexpr double kRounding = 1e-11;  ///< of places up to kMaxPointRange [m]
 
   const NearestQuery& query_;
   const Runs& runs_;

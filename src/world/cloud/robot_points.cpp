@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Most points are outside the box around all links; of the others, neighbours are mostly of one
-// link, and a coarse grid says which others can be there.
+// Most points are outside the box around all links and are sorted out first. For the others, the
+// link of the previous point is tried first, and a coarse grid then gives the links that can be
+// there.
 #include "world/cloud/robot_points.h"
 
 #include <algorithm>
@@ -15,20 +16,20 @@
 namespace link_bounds {
 namespace {
 
-/// Which links can be where, from the sensor: a coarse grid over the box around all links. Made for
-/// each scan. A point in the box of a link finds that link.
+/// The links that can be at a place in the sensor's frame: a coarse grid over the box around all
+/// links. Made for each scan. A point in the box of a link always finds that link.
 class LinkCells {
  public:
   struct Links {
     const std::uint32_t* first;
-    const std::uint32_t* last;  ///< behind them
+    const std::uint32_t* last;  ///< one past the end
     const std::uint32_t* begin() const { return first; }
     const std::uint32_t* end() const { return last; }
   };
 
   explicit LinkCells(const ScanPoses& poses);
 
-  /// Of a point in poses.box, which must not be empty.
+  /// The links for a point in poses.box, which must not be empty.
   Links at(const Eigen::Vector3d& point) const {
     const std::size_t cell =
         indexOf(placeOf(0, point[0]), placeOf(1, point[1]), placeOf(2, point[2]));
@@ -36,10 +37,10 @@ class LinkCells {
   }
 
  private:
-  /// Along each axis: a cell then has few of the 50 links of a PR2.
+  /// Cells along each axis: a cell then has few of the 50 links of a PR2.
   static constexpr std::size_t kCells = 16;
 
-  /// Larger coordinates have no smaller place, also rounded.
+  /// Monotonic even with rounding: a larger coordinate never gets a smaller place.
   std::size_t placeOf(int axis, double coordinate) const {
     const double place = (coordinate - origin_[axis]) * per_cell_[axis];
     return place >= kCells - 1 ? kCells - 1 : place > 0 ? static_cast<std::size_t>(place) : 0;
@@ -52,7 +53,7 @@ class LinkCells {
 
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d per_cell_ = Eigen::Vector3d::Zero();
-  std::array<std::uint32_t, kCells * kCells * kCells + 1> starts_{};  ///< in links_, by cell
+  std::array<std::uint32_t, kCells * kCells * kCells + 1> starts_{};  ///< into links_, by cell
   std::vector<std::uint32_t> links_;
 };
 
@@ -84,7 +85,7 @@ void LinkCells::forEachCell(const Aabb& box, const Visit& visit) const {
   }
 }
 
-/// Whether the straight way from `from` to `to` meets the box, which must not be empty.
+/// Whether the straight line from `from` to `to` meets the box, which must not be empty.
 bool meets(const Aabb& box, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   double begin = 0, end = 1;
   for (int k = 0; k < 3; ++k) {
@@ -101,7 +102,7 @@ bool meets(const Aabb& box, const Eigen::Vector3d& from, const Eigen::Vector3d& 
   return begin <= end;
 }
 
-/// The links that throw a shadow.
+/// The links that cast a shadow: those with a box in whose shape the sensor's origin never lies.
 std::vector<std::size_t> shadowLinks(const PointQuery& query) {
   std::vector<std::size_t> result;
   if (!query.with_shadow) return result;
@@ -118,7 +119,7 @@ std::vector<std::size_t> shadowLinks(const PointQuery& query) {
   return result;
 }
 
-/// What all threads share.
+/// Data that all threads share.
 struct Plan {
   explicit Plan(const PointQuery& asked)
       : query(asked), cells(asked.poses), shadow_links(shadowLinks(asked)) {}
@@ -128,7 +129,7 @@ struct Plan {
   std::vector<std::size_t> shadow_links;
 };
 
-/// A run of points on one thread.
+/// Labels a range of points on one thread.
 class Labels {
  public:
   explicit Labels(const Plan& plan)
@@ -161,13 +162,13 @@ class Labels {
   void scan(const std::uint8_t* bytes, std::size_t begin, std::size_t end) {
     const CloudPoints& points = query_.points;
     const bool looks_at_all = min_squared_ > 0 || !shadow_links_.empty();
-    // Rounding keeps the order of numbers, so no point of the box is left out.
+    // Rounding is monotonic, so it excludes no point of the box.
     const Eigen::Matrix<Number, 3, 1> low = low_.cast<Number>(), high = high_.cast<Number>();
     for (std::size_t i = begin; i < end; ++i, bytes += points.point_step) {
       const auto x = CloudPoints::read<Number>(bytes + points.x);
       const auto y = CloudPoints::read<Number>(bytes + points.y);
       const auto z = CloudPoints::read<Number>(bytes + points.z);
-      // Not short-circuited: one branch a point.
+      // `&` instead of `&&`: one branch per point.
       const int is_candidate = int{x >= low.x()} & int{x <= high.x()} & int{y >= low.y()} &
                                int{y <= high.y()} & int{z >= low.z()} & int{z <= high.z()};
       if (is_candidate != 0) {
@@ -193,7 +194,7 @@ class Labels {
     lookFurther(index, point, bytes);
   }
 
-  /// At a point of no link.
+  /// Checks a point that is on no link for min_distance and for shadows.
   void lookFurther(std::size_t index, const Eigen::Vector3d& point, const std::uint8_t* bytes) {
     if (point.squaredNorm() < min_squared_) {
       found_.push_back({index, kTooNear});
@@ -227,10 +228,10 @@ class Labels {
   const PointQuery& query_;
   const LinkCells& cells_;
   const std::vector<std::size_t>& shadow_links_;
-  Eigen::Vector3d low_, high_;  ///< of the box around all links
+  Eigen::Vector3d low_, high_;  ///< corners of the box around all links
   double min_squared_;
   ScanCursor cursor_;
-  std::size_t last_ = kTooNear;  ///< the link that was met last
+  std::size_t last_ = kTooNear;  ///< the link of the last point that had one
   std::vector<RobotPoint> found_;
 };
 

@@ -14,20 +14,20 @@ namespace {
 /// Max time between the points of a scan; typical scans take 0.1 s.
 constexpr std::int64_t kMaxSpan = 5000000000;  // ns
 
-/// A pose of 50 links takes some 20 us.
+/// Max number of moments. At one moment, the poses of 50 links take about 20 us.
 constexpr std::size_t kMaxMoments = 1000;
 
-/// Between moments, in nanoseconds: rounded up to whole ones, a step is then longer by a twentieth
-/// at most, which the tenth left free by partsFor() covers.
+/// Min step between moments [ns]. Rounding up to whole nanoseconds makes a step longer by max 1/20.
+/// The 10 % that partsFor() reserves cover that.
 constexpr double kMinStep = 20;
 
-/// What rounding adds to a box, relative to its largest coordinate, and a floor [m].
+/// Max rounding error of a box, relative to its largest coordinate, and its min value [m].
 constexpr double kPlaceRounding = 1e-12;
 constexpr double kFloor = 1e-9;
 
 constexpr double kTooMany = std::numeric_limits<double>::infinity();
 
-/// The box of the link in the sensor's frame in one pose, with what rounding may add.
+/// The box of the link in the sensor's frame at one pose, padded by the max rounding error.
 Aabb boxAt(const Aabb& link_box, const Eigen::Affine3d& link_from_sensor) {
   const Eigen::Affine3d sensor_from_link = link_from_sensor.inverse(Eigen::Isometry);
   const Eigen::Vector3d center = sensor_from_link * link_box.center();
@@ -41,15 +41,15 @@ double largestNorm(const Aabb& box) {
   return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
 }
 
-/// How far a link, and a point that the sensor sees of it, leave the straight way between two
+/// How far a link, and a point of it in the link's frame, leave the straight line between two
 /// times.
 struct Errors {
   Bulge of_point;
   Bulge of_link;   ///< in the sensor's frame
-  double stretch;  ///< of the link, at any time, because quaternions are not of length 1 [m]
+  double stretch;  ///< of the link at any time, as quaternions are not of length 1 [m]
 };
 
-/// A link that moves, or does not.
+/// A link that may move relative to the sensor.
 class Mover {
  public:
   Mover(TransformBuffer::Frame frame, MotionPath path, const Aabb& box)
@@ -58,7 +58,7 @@ class Mover {
       radius_ = std::max(radius_, corner.norm());
   }
 
-  /// Whose samples are those around the last time that was sought.
+  /// Its current samples are those around the time of the last seek().
   MotionPath& path() { return path_; }
   const MotionPath& path() const { return path_; }
 
@@ -66,8 +66,9 @@ class Mover {
     return MatrixPose(path_.targetFromSource(time)).affine;
   }
 
-  /// From `begin`, which was sought, to before the next sample. Also of points within `range` of
-  /// the sensor. `steps` is memory that is reused.
+  /// The errors between `begin`, which must be the last time of seek(), and `end`, which is not
+  /// after the next sample. They also hold for points within `range` of the sensor. `steps` is
+  /// scratch memory.
   Errors errors(std::int64_t begin, std::int64_t end, double range, PathSteps& steps) const {
     const Eigen::Affine3d from = linkFromSensor(begin), to = linkFromSensor(end);
     const double distance = std::max(from.translation().norm(), to.translation().norm());
@@ -82,7 +83,8 @@ class Mover {
     }
     const Bulge of_link = bulge(steps, radius_, distance);
     const double stretch = 2 * std::max(scale - 1, 0.0) * scale * lengths;
-    // As far as the link's box at both ends, with its way between.
+    // Bounds the distance of the link from the sensor: its boxes at both ends and the motion
+    // between.
     const double far_end = largestNorm(boxAt(box_, from).merged(boxAt(box_, to))) + of_link.smooth +
                            of_link.jump + stretch;
     std::swap(steps.from_link, steps.from_target);
@@ -96,7 +98,7 @@ class Mover {
   TransformBuffer::Frame frame_;
   MotionPath path_;
   Aabb box_;
-  double radius_ = 0;  ///< of the box, around the origin of the link
+  double radius_ = 0;  ///< of a ball around the link's origin that contains the box
 };
 
 class Scan {
@@ -139,7 +141,7 @@ class Scan {
     return true;
   }
 
-  /// Of those within the span, and both ends of it; ascending.
+  /// The times of all samples within the span, and both ends of the span; ascending.
   std::vector<std::int64_t> timesOfSamples() const {
     std::vector<std::int64_t> times{span_.begin, span_.end};
     for (const Mover& mover : movers_)
@@ -149,14 +151,14 @@ class Scan {
     return times;
   }
 
-  /// From one sample to before the next one. An edge that jumps there does so in the last
-  /// nanosecond.
+  /// Covers the time from one sample to the next one. An edge that jumps between them does so in
+  /// the last nanosecond.
   bool follow(std::int64_t begin, std::int64_t end, std::size_t left) {
     if (end - begin < 2 || !jumpsAfter(begin)) return followStep(begin, end, left);
     return followStep(begin, end - 1, left + 1) && followStep(end - 1, end, left);
   }
 
-  /// Whether an edge does not move as a line from this sample to the next one.
+  /// Whether an edge jumps, instead of moving along a line, between this sample and the next one.
   bool jumpsAfter(std::int64_t begin) {
     return std::any_of(movers_.begin(), movers_.end(), [&](Mover& mover) {
       if (!mover.path().isMoving()) return false;
@@ -165,12 +167,12 @@ class Scan {
     });
   }
 
-  /// Adds moments, so many that the errors are small. False if there would be too many, with `left`
-  /// more of them at least.
+  /// Adds as many moments as keep the errors small. False if there would be too many, counting the
+  /// `left` further moments that are needed at least.
   bool followStep(std::int64_t begin, std::int64_t end, std::size_t left) {
     const std::int64_t duration = end - begin;
     double parts = partsBetween(begin, end);
-    // No point has a time between two nanoseconds. Parts of a few would differ too much in length.
+    // Times are whole nanoseconds. Parts of a few nanoseconds would differ too much in length.
     const auto nanoseconds = static_cast<double>(duration);
     if (duration == 1 || (std::isfinite(parts) && kMinStep * parts > nanoseconds && parts > 1))
       parts = nanoseconds;
@@ -187,7 +189,7 @@ class Scan {
     return true;
   }
 
-  /// As many as this time has to be divided into; infinite if no number helps.
+  /// The number of parts into which this time has to be divided; infinite if no number suffices.
   double partsBetween(std::int64_t begin, std::int64_t end) {
     double parts = 1;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
@@ -208,7 +210,7 @@ class Scan {
     return std::max(std::ceil(std::sqrt(error.smooth / allowed)), 1.0);
   }
 
-  /// The largest errors between two moments, which are at most `step` apart. Where that is 1 ns,
+  /// Keeps the max errors between two moments, which are max `step` [ns] apart. If `step` is 1,
   /// there is no time between them.
   void keepErrors(std::int64_t step, std::int64_t duration) {
     const bool has_time = step > 1;
@@ -221,8 +223,8 @@ class Scan {
     }
   }
 
-  /// The movers were sought there. False for a pose that is not finite: nobody knows then which
-  /// points are the link's.
+  /// `time` must be in the step that began at the last seek(). False for a pose that is not finite:
+  /// the points of the link are then unknown.
   bool addMoment(std::int64_t time) {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       LinkMotion& motion = *motions_[i];
@@ -264,8 +266,8 @@ class Scan {
   double timeout_;
   std::vector<Mover> movers_;
   std::vector<LinkMotion*> motions_;  ///< the result of each mover
-  std::vector<Errors> errors_;        ///< of each mover, between the two samples
-  std::vector<double> link_errors_;   ///< of each mover's box, the largest [m]
+  std::vector<Errors> errors_;        ///< of each mover between the current two samples
+  std::vector<double> link_errors_;   ///< the max error of each mover's box [m]
   PathSteps steps_;
   ScanPoses result_;
 };

@@ -22,7 +22,7 @@ void makeOneRow(std::size_t count, sensor_msgs::PointCloud2& cloud) {
   cloud.data.resize(count * cloud.point_step);
 }
 
-/// Moves what is kept to the front.
+/// Moves the remaining points to the front.
 void leaveOut(const std::vector<RobotPoint>& removed, const CloudPoints& points,
               sensor_msgs::PointCloud2& cloud) {
   std::size_t kept = 0;

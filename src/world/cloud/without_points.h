@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages without the points of the robot, and the points of the robot alone.
+// Removes the points of the robot from messages, or keeps only these.
 #pragma once
 
 #include <sensor_msgs/LaserScan.h>
@@ -12,15 +12,15 @@
 
 namespace link_bounds {
 
-/// If organised, the points become NaN in x, y and z, and all else stays; if not, they are left
-/// out, and the cloud has one row. `removed` must be in order.
+/// With keep_organized, x, y and z of the points become NaN, and all else stays. Otherwise the
+/// points are removed, and the cloud gets one row. `removed` must be in the order of the cloud.
 void removePoints(const std::vector<RobotPoint>& removed, bool keep_organized,
                   sensor_msgs::PointCloud2& cloud);
 
-/// Their ranges become NaN: not measured, so neither an obstacle nor free.
+/// The ranges of the points become NaN: not measured, so neither an obstacle nor free.
 void removePoints(const std::vector<RobotPoint>& removed, sensor_msgs::LaserScan& scan);
 
-/// Only these points, with all fields, in one row.
+/// A cloud of only these points, with all fields, in one row.
 sensor_msgs::PointCloud2 onlyPoints(const std::vector<RobotPoint>& kept,
                                     const sensor_msgs::PointCloud2& cloud);
 

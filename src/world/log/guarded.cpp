@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Not by ROS_ERROR_THROTTLE, which measures ROS time and so says nothing while /clock is absent.
+// Throttles by steady time. ROS_ERROR_THROTTLE uses ROS time, so it prints nothing while /clock is
+// missing.
 #include "world/log/guarded.h"
 
 #include <ros/console.h>

@@ -10,13 +10,13 @@
 
 namespace link_bounds {
 
-/// Runs the body of a callback and lets no exception out.
+/// A function that runs the body of a callback and lets no exception out.
 using Guard = std::function<void(const std::function<void()>& body)>;
 
-/// At most one line per second of wall time.
+/// Logs an exception; max one line per second of steady time.
 void logUnexpected(const std::exception& error);
 
-/// How many exceptions logUnexpected() was called with, in this process.
+/// The number of calls of logUnexpected() in this process.
 std::uint64_t unexpectedErrors();
 
 /// Calls `body`. An exception is logged.
@@ -32,7 +32,7 @@ void guarded(Body&& body) {
 /// Ends the process with exit code 1 and one line on stderr. Allocates nothing.
 [[noreturn]] void endWithoutMemory() noexcept;
 
-/// Calls `body`, which changes what boxes are computed from, or which points are the robot's. If
+/// Calls `body`, which changes the input of boxes or of the search for the robot's points. If
 /// memory runs out half way, later results could be wrong, so the process ends.
 template <class Body>
 void completed(Body&& body) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which characters may stand in a log.
+// Defines the characters that may appear in a log.
 #include "world/log/log_text.h"
 
 #include <string_view>

@@ -8,9 +8,9 @@
 namespace link_bounds {
 
 /// One line of valid UTF-8 of at most 605 bytes. Characters that could break the line, move the
-/// cursor or change the writing direction become '?'. A longer text loses its middle, because the
-/// remedy is at its end. What is logged of messages, parameters and files goes through this, and so
-/// do /diagnostics and the answer of ~reload.
+/// cursor or change the writing direction become '?'. The middle of a longer text is cut, because
+/// the remedy is at the end. All text from messages, parameters and files passes through this
+/// before it gets into a log, /diagnostics or the answer of ~reload.
 std::string logText(const std::string& text);
 
 }  // namespace link_bounds

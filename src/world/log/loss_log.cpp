@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures by the steady clock: ROS time stands still while /clock is absent.
+// Uses the steady clock, because ROS time stands still while /clock is missing.
 #include "world/log/loss_log.h"
 
 namespace link_bounds {
@@ -30,7 +30,7 @@ void LossLog::postpone(const std::vector<std::string>& lost, ros::SteadyTime now
     loss.since = now;
 }
 
-/// Keeps the losses that go on, adds new ones, and forgets what is right.
+/// Keeps losses that continue, adds new ones, and forgets those that have ended.
 void LossLog::observe(const std::vector<std::string>& lost, ros::SteadyTime now) {
   for (auto& [name, loss] : losses_)
     loss.is_current = false;

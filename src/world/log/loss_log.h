@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which losses that last are to be reported: enough to notice, never a flood.
+// Decides which lasting losses are logged: enough to notice, never a flood.
 #pragma once
 
 #include <ros/time.h>
@@ -11,16 +11,18 @@
 
 namespace link_bounds {
 
-/// A loss is something by name that is not right, such as a link without a transform. It is
-/// reported once, when it has lasted for five seconds of wall time, and again only after it was
-/// right in between.
+/// A loss is a name for something that is wrong, such as a link without a transform. It is reported
+/// once, when it has lasted for five seconds of steady time, and again only after it ended in
+/// between.
 class LossLog {
  public:
   /// To be called a few times per second with the names of all that is lost at `now`. Returns the
-  /// indices of those to report. It returns any at most once in five seconds; others wait.
+  /// indices of those to report. Between two results that are not empty, there are at least five
+  /// seconds; losses that become due meanwhile wait.
   std::vector<std::size_t> due(const std::vector<std::string>& lost, ros::SteadyTime now);
 
-  /// Instead of due(), while a loss of something else explains these: five seconds begin again.
+  /// To be called instead of due() while another loss explains these. Their five seconds start
+  /// again.
   void postpone(const std::vector<std::string>& lost, ros::SteadyTime now);
 
  private:

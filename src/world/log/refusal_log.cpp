@@ -11,7 +11,7 @@ namespace link_bounds {
 namespace {
 
 const ros::WallDuration kQuietTime(10.0);
-constexpr std::size_t kMaxNames = 10;       // in any period: then one line for all others
+constexpr std::size_t kMaxNames = 10;       // per kQuietTime; then one line for all others
 constexpr std::size_t kMaxNameLength = 80;  // bytes
 
 std::string shown(const std::string& name) {

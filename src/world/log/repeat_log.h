@@ -12,8 +12,8 @@ namespace link_bounds {
 
 class RepeatLog {
  public:
-  /// To be called each time that it happens. The line to log, at most one in ten seconds: the text,
-  /// and how many times it happened since the last line; otherwise "".
+  /// To be called at each occurrence. Returns the line to log, max one in ten seconds: the text and
+  /// the number of occurrences since the last line; otherwise "".
   std::string line(const std::string& text, ros::SteadyTime now) {
     ++count_;
     if (!last_.isZero() && now - last_ < ros::WallDuration(10.0)) return "";

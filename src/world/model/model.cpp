@@ -32,7 +32,7 @@ struct KnownLinks {
   std::set<std::string> without_geometry;
 };
 
-/// A name that fits a link and an object means the link.
+/// A name that fits both a link and an object means the link.
 void addMember(SceneGroup& group, const std::string& member, const KnownLinks& known) {
   const auto found = known.bounded.find(member);
   if (found != known.bounded.end()) {
@@ -64,8 +64,8 @@ bool isAsked(const Link& link, const Selection& selection) {
          (selection.collision && hasGeometry(link, Purpose::kCollision));
 }
 
-/// For each group without members, and for each that names links with geometry of the other kind
-/// only: its box lacks them.
+/// One warning per group without members, and per group that names links whose geometry is only of
+/// the kind that ~geometry excludes: the group's box does not contain them.
 std::vector<std::string> groupWarnings(const Parameters& parameters, const Robot& robot,
                                        const Selection& selection) {
   std::vector<std::string> warnings;
@@ -99,7 +99,7 @@ KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& s
   return known;
 }
 
-/// The bodies of some links, which `indices` gives in the order of the result.
+/// The rigid bodies of the links with these `indices`, in the same order.
 RigidBodies bodiesOf(const Robot& robot, const std::vector<std::size_t>& indices) {
   const RigidBodies all = rigidBodies(robot);
   RigidBodies bodies{{}, all.parents};
@@ -133,7 +133,7 @@ void checkIgnoredPairs(const Parameters& parameters, const std::set<std::string>
   }
 }
 
-/// Links without geometry have a body, too.
+/// Objects can also be attached to links without geometry: these have a rigid body, too.
 std::vector<Attachment> attachmentsOf(const Parameters& parameters, const Robot& robot) {
   const RigidBodies bodies = rigidBodies(robot);
   std::vector<Attachment> result;
@@ -162,7 +162,8 @@ std::vector<std::string> unknownJoints(const Parameters& parameters, const Robot
   return warnings;
 }
 
-/// Names with a slash may be those of objects.
+/// Names in further parameters that should be links, each with its parameter. Skips names with a
+/// slash in groups and pairs, which may be objects.
 std::map<std::string, std::string> otherNames(const Parameters& parameters,
                                               const std::vector<NamePair>& ignored_pairs,
                                               const std::set<std::string>& links) {
@@ -185,7 +186,7 @@ std::map<std::string, std::string> otherNames(const Parameters& parameters,
   return result;
 }
 
-/// Those that `is_it` is true of, in quotes, with commas.
+/// The names of links for which `is_it` is true, quoted and separated by commas.
 template <class IsIt>
 std::string namesThat(const std::vector<BoundedLink>& links, IsIt is_it) {
   std::vector<std::string> names;
@@ -214,7 +215,7 @@ std::vector<std::string> nameWarnings(const std::vector<BoundedLink>& links) {
   return warnings;
 }
 
-/// Warnings about valid parameters that leave something without effect.
+/// Warnings about valid parameters that make something have no effect.
 std::vector<std::string> valueWarnings(const Parameters& parameters, bool has_no_link) {
   std::vector<std::string> warnings;
   if (has_no_link)

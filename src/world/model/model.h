@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the update thread knows about the robot: made by each load, then never changed.
+// The update thread's data about the robot: made by each load, then never changed.
 #pragma once
 
 #include <map>
@@ -37,14 +37,15 @@ struct Model {
   std::vector<std::string> frames;              ///< tf name of each link
   std::vector<std::vector<BoundedLink>> parts;  ///< by link; see BoundedRobot
   std::vector<SceneGroup> groups;  ///< "robot", then those of the user by name; members index links
-  RigidBodies bodies;              ///< by index of link
+  RigidBodies bodies;              ///< of the links, by index in `links`
   std::shared_ptr<const Robot> robot;    ///< all links and joints; null without a description
-  std::vector<std::size_t> robot_links;  ///< of each of `links` its index in the robot
-  NamePairs ignored_pairs;               ///< whose overlaps are not reported
-  std::vector<Attachment> attached;      ///< the first that fits an object counts
-  std::map<std::string, std::size_t> mesh_bytes;  ///< memory per mesh file in use
-  std::map<std::string, std::shared_ptr<const PointSet>> mesh_uris;  ///< points of meshes in use
-  /// Of meshes of objects, by URI: points whose file was as it was read, when the model was made.
+  std::vector<std::size_t> robot_links;  ///< by index in `links`: index in `robot`
+  NamePairs ignored_pairs;               ///< their overlaps and distances are not published
+  std::vector<Attachment> attached;      ///< the first one that matches an object counts
+  std::map<std::string, std::size_t> mesh_bytes;  ///< memory of each mesh file in use
+  std::map<std::string, std::shared_ptr<const PointSet>> mesh_uris;  ///< points in use, by URI
+  /// Meshes of objects, by URI: points whose file had not changed since it was read, when the model
+  /// was made.
   std::map<std::string, std::weak_ptr<const PointSet>> object_meshes;
   std::string left_out;               ///< see leftOutNote()
   std::vector<std::string> problems;  ///< one per element that is not bounded
@@ -55,21 +56,22 @@ struct Model {
 /// name are stripped; a link name that begins with a slash takes no prefix.
 std::string tfName(const std::string& tf_prefix, const std::string& link);
 
-/// All but parts and triangles.
+/// The selection without the settings of parts and triangles.
 Selection selectionOf(const LinkParameters& parameters);
 
-/// One warning per name of a link that the robot does not have. `others`: further names, each with
-/// its parameter.
+/// One warning per link name in parameters that the robot does not have. `others`: further names,
+/// each with its parameter.
 std::vector<std::string> unknownLinks(const LinkParameters& parameters,
                                       const std::set<std::string>& links,
                                       const std::map<std::string, std::string>& others = {});
 
 std::set<std::string> linkNames(const Robot& robot);
 
-/// For objects alone, while there is no description. The parameters must name the fixed frame.
+/// A model for objects only, as long as there is no description. The parameters must name the fixed
+/// frame.
 Model modelWithoutRobot(const Parameters& parameters);
 
-/// Meshes of packages and of file URIs, within the limits that the parameters set.
+/// Loads meshes of package:// and file:// URIs, within the limits of the parameters.
 MeshSource meshSource(const Parameters& parameters);
 
 /// Parses the description and loads its meshes from `source`. Throws RobotError, ParameterError.

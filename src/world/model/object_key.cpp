@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An id has exactly one spelling.
+// Each id has exactly one spelling, so that names and keys correspond one to one.
 #include "world/model/object_key.h"
 
 #include <charconv>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters that decide what the boxes are and when they are published.
+// The parameters that decide about the values of boxes and when they are published.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace link_bounds {
 
-/// A parameter cannot be used. The message names it and says what it must be.
+/// A parameter has an unusable value. The message names it and says what it must be.
 class ParameterError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -19,7 +19,7 @@ class ParameterError : public std::runtime_error {
 
 constexpr char kRobotGroup[] = "robot";  ///< the group of all links
 
-/// Meanings and units are in node/interface/parameter_table.h, as of those below.
+/// For meanings and units, see node/interface/parameter_table.h; also for struct Parameters.
 struct LinkParameters {
   std::string geometry = "visual";
   std::vector<std::string> links;

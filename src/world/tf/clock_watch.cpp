@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Intervals are measured by the steady clock.
+// Jumps are jumps of ROS time. The time since a jump is measured by the steady clock.
 #include "world/tf/clock_watch.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ const ros::WallDuration kLateArrivals(0.5);
 const ros::WallDuration kReportJump(5.0);
 const ros::WallDuration kClockTimeout(5.0);
 
-/// Seconds; the difference of two ros::Time throws when it is too large for a ros::Duration.
+/// From `earlier` to `later` [s]. Subtracting ros::Time throws if a ros::Duration cannot hold the
+/// result.
 double since(ros::Time earlier, ros::Time later) {
   return static_cast<double>(nanosecondsOf(later) - nanosecondsOf(earlier)) / 1e9;
 }
@@ -31,7 +32,7 @@ ClockWatch::ClockWatch(std::function<ros::SteadyTime()> steady_now)
 
 ClockWatch::Event ClockWatch::observe(ros::Time now) {
   const ros::Time last = last_;
-  // `last_` keeps its value in a small step back, so that many such steps add up to a jump.
+  // A small step back does not change `last_`, so that many such steps add up to a jump.
   if (!isJumpBack(now)) {
     last_ = std::max(last, now);
     if (last.isZero()) return now.isZero() ? Event::kNone : Event::kStarted;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Nearly every call inserts after the newest sample or reads it; that part is in the header.
+// The rare cases. Nearly every call inserts after the newest sample or reads it: see the header.
 #include "world/tf/edge_history.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-/// But for rounding; q and -q are the same rotation.
+/// Whether the poses are equal up to rounding; q and -q are the same rotation.
 bool isSame(const Tf2Pose& a, const Tf2Pose& b) {
   constexpr double kRounding = 1e-9;
   const double moved = (a.translation() - b.translation()).length();

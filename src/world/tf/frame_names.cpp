@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks names up where the guess is wrong.
+// Looks up the names of an edge if the guess of next() is wrong.
 #include "world/tf/frame_names.h"
 
 #include <utility>
@@ -14,7 +14,7 @@ FrameNames::Frame FrameNames::frame(std::string_view name) {
   Frame frame = names_.size();
   if (reusable_.empty()) {
     names_.push_back(own.get());
-    own_.resize(frame + 1);  // borrowed names before it have none
+    own_.resize(frame + 1);  // borrow() adds to `names_` only
     keys_.resize(frame + 1);
     parents_.resize(frame + 1);
     followers_.resize(frame + 2);

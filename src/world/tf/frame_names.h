@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers for the names of frames.
 //
-// A publisher sends the same edges in the same order again and again. So the edge that followed in
-// an earlier message is compared first, by the bytes of both names. Without this an update of 50 to
-// 200 links takes 1.2 times as long and misses a target of `scripts/bench pipeline`.
+// A publisher sends the same edges in the same order again and again. So next() first compares the
+// edge that came next in an earlier message, by the bytes of both names. Without this an update of
+// 50 to 200 links takes 1.2 times as long and misses a target of `scripts/bench pipeline`.
 #pragma once
 
 #include <memory>
@@ -32,13 +32,13 @@ class FrameNames {
   /// The number of a name, the same until forget(): 0 for the first name, then 1, ...
   Frame frame(std::string_view name);
 
-  /// The name gets another number when it comes again. name() knows it until reuse().
+  /// From now on frame() gives the name another number. name() returns it until reuse().
   void forget(Frame frame);
 
-  /// Another name may get this number, which was forgotten.
+  /// Another name may get this number. forget() must have been called for it.
   void reuse(Frame frame);
 
-  /// The next search for an edge of the child looks its names up.
+  /// The next search for the edge of this child looks up its names instead of guessing.
   void forgetEdge(Frame child) { keys_[child].clear(); }
 
   /// The parent that next() may return for the child without looking it up.
@@ -46,21 +46,21 @@ class FrameNames {
     return keys_[child].empty() ? std::nullopt : std::optional(parents_[child]);
   }
 
-  /// Nothing if no frame has this name.
+  /// The number of the name; nothing if no frame has this name.
   std::optional<Frame> known(std::string_view name) const;
 
-  /// A new number for a name that lives elsewhere, at least as long as this object. Only name()
-  /// knows it.
+  /// A new number for a name that is stored elsewhere, at least as long as this object lives. Only
+  /// name() knows the number; frame() and known() do not find the name.
   Frame borrow(const std::string& name);
 
-  /// Makes room for so many names that are borrowed.
+  /// Makes room for `count` borrowed names.
   void reserve(std::size_t count) { names_.reserve(count); }
 
-  /// Before the first next() of a message.
+  /// To be called before the first next() of each message.
   void beginMessage() { last_ = 0; }
 
-  /// The edge between two names. `key` is empty or a text that no other two names have: it makes
-  /// the search fast if the edge follows the previous one as it did in an earlier message.
+  /// The edge between two names. `key` is empty or a text that belongs to these two names only.
+  /// With a key, the search is fast if the previous edge is the same as in an earlier message.
   Edge next(std::string_view parent, std::string_view child, std::string_view key) {
     const Frame guess = followers_[last_];
     if (key.empty() || guess >= keys_.size() || keys_[guess] != key) {
@@ -76,13 +76,13 @@ class FrameNames {
  private:
   Edge find(std::string_view parent, std::string_view child, std::string_view key);
 
-  std::vector<std::unique_ptr<const std::string>> own_;  ///< `names_` and `frames_` point there
+  std::vector<std::unique_ptr<const std::string>> own_;  ///< `names_`, `frames_` point to these
   std::vector<Frame> reusable_;
   std::vector<const std::string*> names_;
   std::unordered_map<std::string_view, Frame> frames_;
-  std::vector<std::string> keys_;    ///< by child: of its last edge
-  std::vector<Frame> parents_;       ///< by child: in that edge
-  std::vector<Frame> followers_{0};  ///< [0]: the first child of a message; [1 + i]: that after i
+  std::vector<std::string> keys_;    ///< by child: the key of its last edge
+  std::vector<Frame> parents_;       ///< by child: the parent in its last edge
+  std::vector<Frame> followers_{0};  ///< [0]: first child of a message; [1 + i]: child after i
   std::size_t last_ = 0;             ///< index in `followers_` for the next edge
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The way from a frame upwards, by the newest parents. A loop is run through once.
+// The way from a frame upwards, by the newest parents. In a loop it ends after as many steps as
+// there are frames.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,8 @@
 
 namespace link_bounds {
 
-/// The first frame from `frame` upwards for which `ends` returns true; else the last one.
+/// The first frame from `frame` upwards for which `ends` returns true; if there is none, the last
+/// frame.
 template <class Ends>
 TransformBuffer::Frame climb(const TransformBuffer& tf, TransformBuffer::Frame frame, Ends ends) {
   for (std::size_t i = 0; i < tf.size() && !ends(frame) && tf.hasParent(frame); ++i)
@@ -17,7 +19,7 @@ TransformBuffer::Frame climb(const TransformBuffer& tf, TransformBuffer::Frame f
   return frame;
 }
 
-/// The frame and all above it.
+/// The frame and all its ancestors.
 inline std::vector<TransformBuffer::Frame> wayUp(const TransformBuffer& tf,
                                                  TransformBuffer::Frame frame) {
   std::vector<TransformBuffer::Frame> way;
@@ -28,7 +30,8 @@ inline std::vector<TransformBuffer::Frame> wayUp(const TransformBuffer& tf,
   return way;
 }
 
-/// The frames whose edges lead from one frame to the other; both ways up if they do not meet.
+/// The child frames of the edges between the two frames; all edges of both ways up if these do not
+/// meet.
 inline std::vector<TransformBuffer::Frame> edgesBetween(const TransformBuffer& tf,
                                                         TransformBuffer::Frame target,
                                                         TransformBuffer::Frame source) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree is built when tf's structure changes, and read from the inside out.
+// The tree is built when tf's structure changes. Poses are computed from the fixed frame outward.
 #include "world/tf/frame_tracker.h"
 
 #include <algorithm>
@@ -50,15 +50,15 @@ void FrameTracker::release(Frame frame) {
   if (--followed_[frame].handles == 0) ++unused_;
 }
 
-/// What append() said to tf.
+/// Undoes the need() calls of append().
 void FrameTracker::release(const std::vector<Node>& nodes) {
   for (const Node& node : nodes) {
     if (isMade(node.step)) tf_.release(node.edge);
   }
 }
 
-/// Frames that nobody follows any more leave with the next build; one at a time would cost one
-/// each.
+/// Frames that nobody follows any more are removed in the next build: to remove each one at once
+/// would take a build per frame.
 void FrameTracker::update(ros::Time now) {
   if (structure_ != tf_.structure() || unused_ > nodes_.size() / 2) return updateAll(now);
   stale_before_ = staleBefore(timeout_, now);
@@ -72,7 +72,7 @@ void FrameTracker::update(ros::Time now) {
   seen_ = tf_.version();
 }
 
-/// A frame that is where it was has not moved.
+/// A frame has moved if its pose after the build differs from that before.
 void FrameTracker::updateAll(ros::Time now) {
   stale_before_ = staleBefore(timeout_, now);
   const std::vector<Node> old_nodes = std::move(nodes_);
@@ -97,7 +97,8 @@ void FrameTracker::watch(Frame frame) {
   watched_.push_back(frame);
 }
 
-/// As in update(), frames that nobody follows any more leave, for there may be no news of tf.
+/// As update(), removes frames that nobody follows any more: without messages nobody calls
+/// update().
 void FrameTracker::expire(ros::Time now) {
   if (unused_ > nodes_.size() / 2) return updateAll(now);
   for (const Frame frame : watched_)
@@ -110,7 +111,8 @@ void FrameTracker::expire(ros::Time now) {
   }
 }
 
-/// Frames without handles lose theirs. Looks at the nodes alone: tf may have any number of frames.
+/// Returns the places of followed frames and clears all places. Iterates over the nodes only,
+/// because tf may have any number of frames.
 std::vector<FrameTracker::Place> FrameTracker::takePlaces(const std::vector<Node>& nodes) {
   std::vector<Place> places;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -136,7 +138,8 @@ void FrameTracker::build(const std::vector<Place>& places) {
     followed_[followed.frame].place = add(followed.frame);
 }
 
-/// Where the way up from the fixed frame is a loop, only the fixed frame itself counts as above.
+/// If the way up from the fixed frame runs into a loop, only the fixed frame itself counts as
+/// above.
 void FrameTracker::findAbove() {
   above_.assign(1, *fixed_frame_);
   heights_.begin(tf_.size());
@@ -157,15 +160,15 @@ void FrameTracker::findAbove() {
   above_from_fixed_.assign(above_.size(), Tf2Pose());
 }
 
-/// The place of a node for a followed frame, which is one without a pose if no path is known.
+/// The place of a node for a followed frame. The node has no pose if no path is known.
 std::size_t FrameTracker::add(Frame frame) {
   const bool is_current = fixed_frame_ && structure_ == tf_.structure();
   const std::size_t place = is_current ? addPath(frame) : kNowhere;
   return place == kNowhere ? append(0, frame, frame, Step::kNone) : place;
 }
 
-/// The place of the frame's node, or kNowhere. Climbs to a frame whose node is there or that is
-/// above the fixed one; each frame is climbed once, so that deep trees cost as much as flat ones.
+/// The place of the frame's node, or kNowhere. Climbs to a frame that has a node or is above the
+/// fixed frame. Climbs from each frame only once, so that deep trees cost as much as flat ones.
 std::size_t FrameTracker::addPath(Frame frame) {
   if (frame == *fixed_frame_) return append(0, frame, frame, Step::kStay);
   marks_.grow(tf_.size());
@@ -188,7 +191,7 @@ std::size_t FrameTracker::addPath(Frame frame) {
   return place;
 }
 
-/// The same of a frame above the fixed one.
+/// The place of the node of above_[height]. Adds the nodes from the fixed frame up to it.
 std::size_t FrameTracker::addAbove(std::size_t height) {
   std::size_t below = height;
   while (!marks_.position(above_[below]))
@@ -232,9 +235,10 @@ void FrameTracker::place(Node& node) {
   node.setChanged(old_problem, old_stamp);
 }
 
-/// The pose before this one serves if it is of the same time, or of all times; the edge does if it
-/// had the same parent then; and above the path must not have been a loop. True if the pose is
-/// another one than before.
+/// Uses the inner pose if it has the same stamp or a static path, and the edge if its parent at
+/// that stamp was the current one. A path that leads above the fixed frame must also be unchanged
+/// since then: tf2 gives no pose if a loop was above. Otherwise calls walk(). True if the pose
+/// changed.
 bool FrameTracker::compose(Node& node) {
   const Node& inner = nodes_[node.inner];
   const bool inner_serves = inner.has_pose && (inner.is_static || inner.stamp == node.stamp);
@@ -247,7 +251,8 @@ bool FrameTracker::compose(Node& node) {
   return node.fixed_from_frame.setProduct(inner.fixed_from_frame, edge->parent_from_child);
 }
 
-/// tf2 inverts the complete way up at once, which counts if a quaternion is not of length 1.
+/// As tf2, inverts the complete way up at once. If a quaternion is not of length 1, inverting edge
+/// by edge would give another pose.
 bool FrameTracker::invert(Node& node, const EdgeSample& edge) {
   const std::size_t height = *heights_.position(node.frame);
   Tf2Pose& frame_from_fixed = above_from_fixed_[height];
@@ -256,7 +261,8 @@ bool FrameTracker::invert(Node& node, const EdgeSample& edge) {
   return node.fixed_from_frame.change(fixed_from_frame.rotation(), fixed_from_frame.translation());
 }
 
-/// At that time the path may have been another one, whose edges bring news as well.
+/// Reads the complete path as it was at the stamp. Its edges may be other ones than now, whose news
+/// is_news misses. So was_elsewhere makes update() read the path again each time.
 bool FrameTracker::walk(Node& node) const {
   const std::optional<Tf2Pose> pose = tf_.pose(*fixed_frame_, node.frame, node.stamp);
   node.has_pose = pose.has_value();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Poses of followed frames in the fixed frame, each at the latest common time of its own path.
 //
-// Seen from the fixed frame the paths are a tree that grows outward, against the direction of some
-// edges. Nearly everywhere a frame has the same time as the frame before it, and its pose is that
-// one's times a single edge. Only elsewhere its complete path is read.
+// Seen from the fixed frame, the paths are a tree that grows outward. Nearly always a frame has the
+// same time as the previous frame of its path. Its pose is then the previous pose times one edge or
+// the inverse of an edge. Otherwise the complete path is read.
 #pragma once
 
 #include <limits>
@@ -18,11 +18,11 @@
 
 namespace link_bounds {
 
-/// A followed frame.
+/// The pose of a followed frame in the fixed frame.
 struct FramePose {
-  TransformProblem problem = TransformProblem::kNoTransform;  ///< that, kStale or kNone
-  bool is_changed = false;  ///< problem, stamp or pose is another one than before the last update
-  bool has_moved = false;   ///< the pose is
+  TransformProblem problem = TransformProblem::kNoTransform;  ///< kNoTransform, kStale or kNone
+  bool is_changed = false;  ///< the last update changed the problem, stamp or pose
+  bool has_moved = false;   ///< the last update changed the pose
   std::int64_t stamp = 0;   ///< nanoseconds; latest common time of the path, 0 if it is all static
   MatrixPose fixed_from_frame;
 
@@ -78,18 +78,19 @@ class FrameTracker {
   std::optional<Frame> fixedFrame() const { return fixed_frame_; }
   double timeout() const { return timeout_; }
 
-  /// The pose is there at once, if tf knows it.
+  /// Starts to follow a frame. Its pose is available at once if tf knows it.
   Handle follow(Frame frame);
   Handle follow(std::string_view name) { return follow(tf_.frame(name)); }
 
-  /// Follows the frame as long as this lives. The reference is valid until the next frame comes.
+  /// Follows the frame as long as the tracker lives. The reference is valid until the next call
+  /// that follows a frame, sets the target or updates.
   const FramePose& keep(Frame frame) {
     Handle handle = follow(frame);
     handle.tracker_ = nullptr;
     return pose(frame);
   }
 
-  /// To be called after one message or several.
+  /// To be called after tf received one or more messages.
   void update(ros::Time now);
 
   /// Computes everything again, as is needed after tf was cleared.
@@ -110,27 +111,27 @@ class FrameTracker {
   enum class Step : std::uint8_t { kAlong, kAgainst, kStay, kNone };
   static bool isMade(Step step) { return step == Step::kAlong || step == Step::kAgainst; }
 
-  /// A frame on the path of one that is followed.
+  /// A frame on the path from the fixed frame to a followed frame.
   struct Node : FramePose {
     bool is_news = false;   ///< an edge of its path was received since the last update
-    bool has_pose = false;  ///< the histories reach its time
+    bool has_pose = false;  ///< the histories cover its stamp
     Step step = Step::kNone;
-    bool is_static = true;           ///< the complete path
-    bool is_below = true;            ///< the fixed frame is on its way up
-    bool was_elsewhere = false;      ///< the pose was read along a path of its own
-    std::int64_t received = kNever;  ///< of the oldest edge of the path that is not static
+    bool is_static = true;           ///< the complete path is
+    bool is_below = true;            ///< the way up from this frame meets the fixed frame
+    bool was_elsewhere = false;      ///< walk() read the pose along the complete path
+    std::int64_t received = kNever;  ///< the min of the path's edges that are not static
     Frame frame = 0;
     Frame edge = 0;
-    std::size_t inner = 0;  ///< the node before this one
+    std::size_t inner = 0;  ///< place of the previous node of the path
   };
 
-  /// By frame.
+  /// How a frame is followed.
   struct Followed {
     std::size_t handles = 0;
-    std::size_t place = kNowhere;  ///< in nodes_; may remain for some time without handles
+    std::size_t place = kNowhere;  ///< index in nodes_; may remain for some time without handles
   };
 
-  /// A followed frame and its place before a build.
+  /// A followed frame and its index in nodes_ before a build.
   struct Place {
     Frame frame;
     std::size_t old_place;
@@ -161,22 +162,23 @@ class FrameTracker {
   std::int64_t stale_before_ = 0;  ///< nanoseconds of ROS time
   std::vector<Followed> followed_;
   std::size_t unused_ = 0;    ///< frames without handles that still have a place
-  std::vector<Node> nodes_;   ///< the fixed frame, then each after the one before it
-  WalkMarks marks_;           ///< places in nodes_; kNowhere: has no path to the fixed frame
-  std::vector<Frame> above_;  ///< the fixed frame and those above it, without a loop
-  std::vector<Tf2Pose> above_from_fixed_;  ///< where their nodes are not elsewhere
-  WalkMarks heights_;                      ///< places in above_
-  std::vector<Frame> watched_;             ///< since the tree was built
-  std::vector<Frame> way_;                 ///< of one frame, upwards; kept for its memory
-  std::uint64_t structure_ = 0;            ///< of tf, when the tree was built
+  std::vector<Node> nodes_;   ///< the fixed frame, then each node after its `inner`
+  WalkMarks marks_;           ///< indices in nodes_; kNowhere: no path to the fixed frame
+  std::vector<Frame> above_;  ///< the fixed frame and its ancestors, see findAbove()
+  std::vector<Tf2Pose> above_from_fixed_;  ///< poses of the fixed frame; unset if was_elsewhere
+  WalkMarks heights_;                      ///< indices in above_
+  std::vector<Frame> watched_;             ///< frames watched since the tree was built
+  std::vector<Frame> way_;                 ///< the way up from one frame; kept to reuse its memory
+  std::uint64_t structure_ = 0;            ///< structure() of tf when the tree was built
   std::uint64_t seen_ = 0;                 ///< version of tf at the last update
 };
 
-/// The older of two stamps of transforms [ns]; 0, that of a static one, does not count.
+/// The older of two stamps of transforms [ns]. A stamp of 0, which static transforms have, is
+/// ignored.
 std::int64_t olderStamp(std::int64_t a, std::int64_t b);
 
-/// What was received before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0:
-/// never.
+/// Edges received before the returned time [ns of ROS time] are stale at `now`. `timeout` is in
+/// seconds; 0: no edge is ever stale.
 std::int64_t staleBefore(double timeout, ros::Time now);
 
 }  // namespace link_bounds

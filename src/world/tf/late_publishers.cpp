@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Grows with the number of publishers, not with that of frames.
+// Its memory grows with the number of publishers, not of frames.
 #include "world/tf/late_publishers.h"
 
 namespace link_bounds {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Who sends transforms behind the newest stamp of a frame, which do not move it.
+// Publishers of late transforms: older than the newest one of the frame, so they do not move it.
 #pragma once
 
 #include <ros/time.h>
@@ -13,15 +13,16 @@ namespace link_bounds {
 
 class LatePublishers {
  public:
-  /// A message of `publisher` had a transform of `frame` so far behind [s].
+  /// A message of `publisher` had a transform of `frame` that was older than the newest one by
+  /// `behind` [s].
   void add(const std::string& publisher, std::string_view frame, double behind,
            ros::SteadyTime now);
 
-  /// By name of the publisher: by how much, and with which frame last, in words that are not
+  /// By name of the publisher: a text with the delay and the frame of its last late transform, not
   /// sanitised.
   using Texts = std::map<std::string, std::string>;
 
-  /// Those of the last five seconds. Forgets the others.
+  /// The publishers that were late in the last five seconds. Forgets the others.
   Texts take(ros::SteadyTime now);
 
   void clear() { publishers_.clear(); }

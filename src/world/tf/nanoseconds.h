@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Times of ROS as signed numbers, whose differences never overflow as those of ros::Time may.
+// ROS times as signed numbers. Their differences do not overflow, unlike those of ros::Time.
 #pragma once
 
 #include <ros/time.h>

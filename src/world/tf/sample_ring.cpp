@@ -8,13 +8,13 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kBlocksPerRelease = 16;  // rarely: it reads old samples, in no cache
+constexpr std::uint32_t kBlocksPerRelease = 16;  // rare: release() reads old samples, in no cache
 constexpr std::size_t kMaxReleased = 64;  // blocks at once: many edges may release in one message
 
 }  // namespace
 
-/// Looks at the newest samples first, because nearly every call asks for one of those; in a history
-/// of 10,000 samples it looks at some 25.
+/// Searches from the newest samples backward, because nearly every call asks for one of them. In a
+/// history of 10,000 samples it reads about 25.
 std::size_t SampleRing::countUntil(std::int64_t stamp) const {
   std::size_t low = 0;
   std::size_t high = size();
@@ -63,7 +63,7 @@ void SampleRing::pushBlock(std::int64_t dropped_before) {
   if (++blocks_begun_ == kBlocksPerRelease) release(dropped_before);
 }
 
-/// Frees the memory that an edge does not need since its rate fell. Two blocks are spared:
+/// Frees memory that an edge no longer needs because its rate fell. Two spare blocks stay:
 /// otherwise an edge that is not quite regular would allocate and free all the time.
 void SampleRing::release(std::int64_t dropped_before) {
   constexpr std::size_t kSpared = 2;

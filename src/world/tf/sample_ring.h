@@ -26,7 +26,7 @@ struct EdgeSample {
 
 class SampleRing {
  public:
-  /// `memory` must outlive this.
+  /// `memory` must outlive this object.
   explicit SampleRing(std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
       : memory_(&memory) {}
 
@@ -34,10 +34,10 @@ class SampleRing {
   EdgeSample& newest() { return *newest_; }
   const EdgeSample& newest() const { return *newest_; }
 
-  /// The number of samples that the memory holds.
+  /// The number of samples that the memory has room for.
   std::size_t capacity() const { return blocks_.size() * kPerBlock; }
 
-  /// The number of samples, with those that are only waiting to be overwritten.
+  /// The number of samples, including old ones that the next samples may overwrite.
   std::size_t size() const {
     return capacity() - static_cast<std::size_t>(end_of_block_ - newest_);
   }
@@ -74,7 +74,7 @@ class SampleRing {
     return *newest_;
   }
 
-  /// As push(), for any other stamp.
+  /// As push(), for a stamp that is not after the newest one.
   EdgeSample& insert(std::int64_t stamp, std::int64_t dropped_before);
 
   void clear() { *this = SampleRing(*memory_); }
@@ -96,7 +96,7 @@ class SampleRing {
   }
   EdgeSample& at(std::size_t i) const { return block(i / kPerBlock)[i % kPerBlock]; }
 
-  /// The place of the next sample.
+  /// Prefetches the place of the next sample.
   void prefetchNext() const {
     if (newest_ == end_of_block_) {
       __builtin_prefetch(&oldest_->front(), 1);
@@ -110,11 +110,11 @@ class SampleRing {
   void release(std::int64_t dropped_before);
 
   std::pmr::memory_resource* memory_;
-  std::vector<BlockPtr> blocks_;  ///< a circle: after the last comes the first
-  std::size_t oldest_place_ = 0;  ///< in blocks_; the newest one is before it
-  Block* oldest_ = nullptr;       ///< the block there
+  std::vector<BlockPtr> blocks_;  ///< a ring: after the last comes the first
+  std::size_t oldest_place_ = 0;  ///< index in blocks_; the newest block is before it
+  Block* oldest_ = nullptr;       ///< the oldest block
   EdgeSample* newest_ = nullptr;
-  EdgeSample* end_of_block_ = nullptr;  ///< the last place of that block
+  EdgeSample* end_of_block_ = nullptr;  ///< the last place in the newest block
   std::uint32_t blocks_begun_ = 0;      ///< since the last release()
 };
 

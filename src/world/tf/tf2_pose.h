@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses in tf2's arithmetic, which scales by quaternions that are not quite of length 1.
+// Poses in tf2's arithmetic, in which a quaternion that is not quite of length 1 also scales.
 #pragma once
 
 #include <tf2/LinearMath/Quaternion.h>
@@ -16,7 +16,7 @@ namespace link_bounds {
 /// less than this [rad].
 constexpr double kAngleError = 1e-7;
 
-/// Quaternions that tf2 interpolates are longer than they should be by less than this.
+/// Rounding makes a quaternion that tf2 interpolates longer by less than this.
 constexpr double kLengthError = 1e-14;
 
 /// A rotation, then a translation. Stored as a geometry_msgs/Transform is serialised, so that one
@@ -42,7 +42,7 @@ inline Tf2Pose inverse(const Tf2Pose& pose) {
   return {rotation, tf2::quatRotate(rotation, -pose.translation())};
 }
 
-/// A pose with its matrix, which serves the boxes and the poses of child frames.
+/// A pose with its matrix, from which boxes and the poses of child frames are computed.
 struct MatrixPose {
   MatrixPose() = default;
   explicit MatrixPose(const Tf2Pose& pose) { set(pose.rotation(), pose.translation()); }
@@ -63,8 +63,8 @@ struct MatrixPose {
     m.col(3) << t.x(), t.y(), t.z(), 1;
   }
 
-  /// Becomes a * b; false if it is that already. In tf2 a quaternion that is not of length 1 scales
-  /// the vector that it turns.
+  /// Sets this to a * b. False if it has that value already. In tf2 a quaternion that is not of
+  /// length 1 scales the vector that it turns.
   bool setProduct(const MatrixPose& a, const Tf2Pose& b) {
     const tf2::Vector3 t = b.translation();
     const Eigen::Matrix4d& m = a.affine.matrix();
@@ -74,7 +74,7 @@ struct MatrixPose {
     return change(a.rotation * b.rotation(), {moved(0), moved(1), moved(2)});
   }
 
-  /// Becomes this pose; false if it is that already.
+  /// Sets this to the pose. False if it has that value already.
   bool change(const tf2::Quaternion& q, const tf2::Vector3& t) {
     if (isAt(q, t)) return false;
     set(q, t);
@@ -94,12 +94,12 @@ struct MatrixPose {
   tf2::Vector3 translation() const { return {affine(0, 3), affine(1, 3), affine(2, 3)}; }
 
   tf2::Quaternion rotation = tf2::Quaternion::getIdentity();
-  double length2 = 1;  ///< of the quaternion
+  double length2 = 1;  ///< squared length of the quaternion
   Eigen::Affine3d affine = Eigen::Affine3d::Identity();
 };
 
-/// The pose that tf2's arithmetic makes of it; false if its quaternion is not of length 1: tf2
-/// scales by others, which no joint does.
+/// Sets `result` to the transform that tf2's arithmetic applies. False if it is not finite, or if
+/// the quaternion is not of length 1: tf2 would scale by it, which no joint does.
 inline bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result) {
   constexpr double kMaxLengthError = 1e-6;
   const MatrixPose matrix(pose);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The frames of the excerpt are the queue of what is to be copied: parents join at its end.
+// The list of frames is also the queue of edges to copy: parents that are met are appended.
 #include "world/tf/tf_excerpt.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kEdgesPerLook = 8;  // at the clock
-constexpr std::size_t kChunk = 128;       // samples, some microseconds
+constexpr std::size_t kEdgesPerLook = 8;  // edges per look at the clock
+constexpr std::size_t kChunk = 128;       // samples per step; takes some microseconds
 
 }  // namespace
 
@@ -74,7 +74,7 @@ void TfExcerpt::restart(const TransformBuffer& tf) {
   last_parent_.reset();
 }
 
-/// All but the samples.
+/// Copies the edge without its samples.
 void TfExcerpt::copyHead(const TransformBuffer& tf, Frame child) {
   const TransformBuffer::Edge& original = tf.edges_[originals_[child]];
   const Frame parent = original.has_parent ? include(tf, original.parent) : 0;
@@ -119,7 +119,7 @@ bool TfExcerpt::copySamples(const TransformBuffer& tf, Frame child) {
   return is_complete;
 }
 
-/// Of a single time the interpolated transform serves all poses.
+/// For an excerpt of a single time: one sample with the transform at that time is enough.
 void TfExcerpt::copyTransform(const TransformBuffer& tf, const EdgeHistory& history, Frame child) {
   EdgeSample scratch;
   const EdgeSample* edge = history.at(stamp_, scratch);
@@ -128,8 +128,8 @@ void TfExcerpt::copyTransform(const TransformBuffer& tf, const EdgeHistory& hist
   buffer_->edges_[child].history->insert(stamp_, parent, edge->parent_from_child);
 }
 
-/// The last sample until the first of the times, and the one before it, which tells whether tf2
-/// interpolates at the stamp of that one.
+/// The index of the first sample to copy. It is one before the last sample up to `begin_`: whether
+/// such a sample exists decides if tf2 interpolates at the stamp of the one after it.
 std::size_t TfExcerpt::firstNeeded(const EdgeHistory& history) const {
   const SampleRing& samples = history.samples();
   const std::size_t count = samples.countUntil(std::max(*begin_, history.oldestKept()));

@@ -18,8 +18,8 @@
 
 namespace link_bounds {
 
-/// One transform. Its names are views into a message that must outlive it, without one leading
-/// slash, as in tf2.
+/// One transform. Its names are views into a message, which must outlive it. One leading slash is
+/// removed, as in tf2.
 struct TransformView {
   TransformView(const geometry_msgs::TransformStamped& transform);
   TransformView(std::string_view parent_name, std::string_view child_name, std::string_view bytes,
@@ -28,7 +28,7 @@ struct TransformView {
 
   std::string_view parent;
   std::string_view child;
-  std::string_view names;  ///< both as they were sent, with their lengths; empty if not received
+  std::string_view names;  ///< the serialised bytes of both names; empty if not received
   ros::Time stamp;
   Tf2Pose parent_from_child;
 };
@@ -37,7 +37,7 @@ struct TransformView {
 /// if it can. Does not check whether a frame is its own parent.
 const char* whyRefused(const TransformView& transform);
 
-/// Of stamps that come as bytes: whether tf2 and the clock of ROS can handle it.
+/// Whether tf2 and ros::Time can handle a stamp. Bytes from the network can hold any number.
 bool isTime(const ros::Time& stamp);
 
 struct TfMessage {
@@ -45,32 +45,33 @@ struct TfMessage {
   TfMessage(const TfMessage&) = delete;
   TfMessage& operator=(const TfMessage&) = delete;
 
-  /// Reads a serialised TFMessage into memory that is reused. Throws what ros::serialization throws
-  /// if it is too short. What is skipped is not read and has no transforms.
+  /// Reads a serialised TFMessage into memory that is reused. Throws an exception of
+  /// ros::serialization if the data is too short. A skipped message is not read and has no
+  /// transforms.
   void read(const std::uint8_t* data, std::uint32_t size);
 
-  /// Its memory [bytes].
+  /// The memory that the message holds [bytes].
   std::size_t capacity() const {
     return bytes.capacity() + transforms.capacity() * sizeof(TransformView);
   }
 
   bool is_skipped = false;                ///< see TfMessageMemory::skip()
-  std::vector<TransformView> transforms;  ///< into bytes
+  std::vector<TransformView> transforms;  ///< their names are views into `bytes`
   std::vector<std::uint8_t> bytes;
 };
 
-/// Memory that each message of a topic reuses. Where two nodelets of a process subscribe to a
-/// topic, roscpp reads each message once, on the thread of either: all functions may be called on
-/// any thread.
+/// Memory that each message of a topic reuses. Thread-safe: if two nodelets of a process subscribe
+/// to a topic, roscpp deserialises each message once, on the thread of either nodelet.
 class TfMessageMemory {
  public:
-  /// The previous message, or a new one if somebody still holds that.
+  /// A message to read into: the previous one, or a new one if somebody still holds the previous
+  /// one.
   boost::shared_ptr<TfMessage> lend();
 
   /// Whether messages that are lent from now on are skipped.
   void skip(bool skips);
 
-  /// To be called now and then: frees memory that only large messages need.
+  /// To be called now and then: frees the memory if large messages made it exceed 1 MiB.
   void giveBack();
 
  private:

@@ -11,12 +11,12 @@
 namespace link_bounds {
 namespace {
 
-/// Without a transform for so long, a frame that nobody needs is forgotten.
+/// A frame that nobody needs is forgotten after this time without a transform.
 const ros::WallDuration kQuiet(60);
-constexpr std::size_t kSlice = 1000;  // edges and samples to look at in one go: some 50 us
+constexpr std::size_t kSlice = 1000;  // edges and samples per forgetQuiet(): about 50 us
 
-/// Publishers of one frame may differ by so much, and the frame may be without a newer stamp for so
-/// long, without a warning [ns].
+/// A late transform gives no warning if it is behind by max this time, and the newest stamp of its
+/// frame came within this time [ns].
 constexpr std::int64_t kTolerance = 1000000000;
 
 constexpr std::int64_t kAtClock = 500000000;  // ns that a stamp may differ from the clock
@@ -24,7 +24,7 @@ constexpr const char* kOwnParent = "the frame is its own parent; correct one of 
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
     "if that newest one is wrong, ~reload makes the node forget it";
-/// For how long after the last contradiction a static edge is in doubt [ns].
+/// How long a static edge stays in doubt after the last contradiction [ns].
 constexpr std::int64_t kDoubt = 10'000'000'000;
 constexpr const char* kInDoubt =
     "it is on /tf_static, too, with another pose, so nobody knows how it moves; end one of the "
@@ -43,7 +43,8 @@ TransformBuffer::Frame TransformBuffer::frame(std::string_view name) {
   return frame;
 }
 
-/// A number that was forgotten may have been given to another name.
+/// To be called for each frame number that FrameNames returns: a forgotten number may have a new
+/// name.
 void TransformBuffer::adoptNumber(Frame frame) {
   if (!edges_[frame].is_unused) return;
   edges_[frame].is_unused = false;
@@ -120,7 +121,8 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   return false;
 }
 
-/// A static edge that /tf contradicts is in doubt until only /tf_static tells of it for a while.
+/// A static edge that /tf contradicts is in doubt until /tf_static sends it more than kDoubt after
+/// the last contradiction.
 void TransformBuffer::Edge::doubt(bool is_replaced, bool on_static, std::int64_t now) {
   if (is_replaced && !on_static) {
     is_in_doubt = true;
@@ -163,7 +165,7 @@ bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::
   return true;
 }
 
-/// Static edges stay.
+/// Forgets the transforms, unless the edge is static.
 void TransformBuffer::Edge::clear() {
   is_in_doubt = false;
   if (!history || is_static) return;
@@ -173,7 +175,7 @@ void TransformBuffer::Edge::clear() {
   has_parent = false;
 }
 
-/// True if the transform repeats a stamp; false if it is too old.
+/// Counts a refused transform. True if it repeats a stamp; false if it is too old.
 bool TransformBuffer::refuse(const Edge& edge, const EdgeSample& sample) {
   const bool is_repeated = !edge.isTooOld(sample.stamp);
   count(is_repeated ? &TfIntake::repeated : &TfIntake::too_old, edge.isNeeded());
@@ -181,7 +183,7 @@ bool TransformBuffer::refuse(const Edge& edge, const EdgeSample& sample) {
   return is_repeated;
 }
 
-/// Climbs from the source as far as it can, then from the target until it meets that way.
+/// Climbs from the source as far as possible, then from the target until it meets the first path.
 std::optional<Tf2Pose> TransformBuffer::pose(Frame target, Frame source, std::int64_t stamp) const {
   if (source == target) return Tf2Pose();
   if (!climb(source, target, stamp)) return std::nullopt;
@@ -199,7 +201,7 @@ std::optional<Tf2Pose> TransformBuffer::pose(Frame target, Frame source, std::in
   return inverse(frame_from_target) * frame_from_source;
 }
 
-/// Ends at the target or where a history ends; false if a loop closes.
+/// Climbs to the target, or to the first frame without a transform at `stamp`. False in a loop.
 bool TransformBuffer::climb(Frame source, Frame target, std::int64_t stamp) const {
   marks_.begin(edges_.size());
   steps_.assign(1, {source, Tf2Pose()});
@@ -248,10 +250,10 @@ bool TransformBuffer::jumpAhead(ros::Time now) {
   return is_any;
 }
 
-/// In passes over all frames. A quiet frame that nobody needs loses its edge. Static edges are
-/// quiet but needed, by a marker that is placed once or by the next request: the first `kept` stay.
-/// One pass later, if no edge has led to it meanwhile, it loses its name. Its number waits until
-/// those who may read it on other threads have ended.
+/// Works in passes over all frames. A quiet frame that nobody needs loses its edge. If no edge
+/// leads to it for another pass, it loses its name. Its number is reused after all readers on other
+/// threads that may know it have ended. Static edges are always quiet, but a marker that is placed
+/// once or the next request may need them: the first `kept` stay.
 void TransformBuffer::forgetQuiet(ros::SteadyTime now, std::size_t kept) {
   if (noted_at_.isZero() || now - noted_at_ >= kQuiet) {
     if (!noted_at_.isZero()) quiet_since_ = noted_message_;
@@ -297,7 +299,8 @@ std::size_t TransformBuffer::visit(Frame frame, std::size_t kept_static) {
   return work;
 }
 
-/// Notes that an edge leads to its parents.
+/// Marks all parents of the edge, so that they keep their names in this pass and the next. Returns
+/// the same as visit().
 std::size_t TransformBuffer::reference(Frame child) {
   const Edge& edge = edges_[child];
   if (const auto parent = names_.cachedParent(child)) edges_[*parent].referenced = pass_;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All transforms of the last ten seconds, in one table of edges.
 //
-// tf2::BufferCore keeps the same transforms. It cannot say when one was received or which edges a
-// message touched, which decides about recomputing boxes and about stale frames; it cannot forget
-// a single edge; and it prints a line for each transform that it refuses.
+// tf2::BufferCore keeps the same transforms. It cannot tell when a transform was received, which
+// decides about stale frames, or which edges a message changed, which decides about recomputing
+// boxes; it cannot forget a single edge; and it prints a line for each transform that it refuses.
 #pragma once
 
 #include <ros/time.h>
@@ -29,24 +29,24 @@ namespace link_bounds {
 struct Refusal {
   std::size_t index;               ///< its place in the message
   const char* reason;              ///< with the remedy
-  std::optional<double> behind{};  ///< the newest stamp of its frame [s], if that is the reason
-  bool is_accepted = false;        ///< into the history; of a late one, the newest transform stays
+  std::optional<double> behind{};  ///< seconds behind the newest stamp, if it is late or too old
+  bool is_accepted = false;  ///< added to the history; if late, it is not the newest transform
 };
 
 /// How many transforms were accepted and refused since the start.
 struct TfIntake {
   std::uint64_t accepted = 0;
   std::uint64_t late = 0;      ///< accepted with a stamp before the newest one of their frame
-  std::uint64_t repeated = 0;  ///< refused: there is one of that stamp already
-  std::uint64_t other = 0;     ///< of those, with another pose or parent
+  std::uint64_t repeated = 0;  ///< refused: the history has that stamp already
+  std::uint64_t other = 0;     ///< repeated with another pose or parent
   std::uint64_t too_old = 0;   ///< refused
   std::uint64_t unusable = 0;  ///< refused: see whyRefused
   std::uint64_t dropped = 0;   ///< refused: sent before the clock jumped
   std::uint64_t replaced = 0;  ///< accepted: another value of a static transform
 };
 
-/// An edge leads from a frame to its parent and is named by the frame, the child. Times are
-/// nanoseconds of ROS time.
+/// An edge leads from a child frame to its parent. Functions identify an edge by its child. Times
+/// are nanoseconds of ROS time.
 class TransformBuffer {
  public:
   using Frame = FrameNames::Frame;
@@ -58,7 +58,7 @@ class TransformBuffer {
   /// A number for the name, which never changes. The frame is never forgotten.
   Frame frame(std::string_view name);
 
-  /// A frame that is not forgotten as long as this lives.
+  /// Keeps a frame from being forgotten as long as this object lives.
   class Hold {
    public:
     Hold() = default;
@@ -80,7 +80,8 @@ class TransformBuffer {
     Frame frame_ = 0;
   };
 
-  /// Counts those who read numbers and names of frames on other threads: what they read stays.
+  /// Counts readers of frame numbers and names on other threads. As long as this lives, no number
+  /// or name that it may read is reused.
   class Readers {
    public:
     Readers() = default;
@@ -98,9 +99,9 @@ class TransformBuffer {
     std::shared_ptr<std::atomic<int>> count_;
   };
 
-  /// To be called every tick. Of more than `kept` frames, forgets those that nobody holds or
-  /// watches and that had no transform for a minute of steady time, or two; but not the first
-  /// `kept` static ones. Looks at some hundred frames.
+  /// To be called every tick. While there are more than `kept` frames, forgets frames that nobody
+  /// holds or watches and that had no transform for one to two minutes of steady time, except the
+  /// first `kept` static ones. A call looks at about 1000 edges and samples.
   void forgetQuiet(ros::SteadyTime now, std::size_t kept = kKeptFrames);
 
   /// Enough for any robot and its surroundings.
@@ -109,7 +110,7 @@ class TransformBuffer {
   /// The number of frames that are not forgotten.
   std::size_t inUse() const { return edges_.size() - unused_; }
 
-  /// The number of the name, as frame() gives it. Nothing for an unknown name, which stays unknown.
+  /// The number of the name, as frame() gives it. Nothing for an unknown name, which is not added.
   std::optional<Frame> find(std::string_view name) const { return names_.known(name); }
 
   const std::string& name(Frame frame) const { return names_.name(frame); }
@@ -117,9 +118,9 @@ class TransformBuffer {
   /// All numbers of frames are below this.
   std::size_t size() const { return edges_.size(); }
 
-  /// Adds the transforms of one message, received at `now`. Refused ones change nothing. Repeated
-  /// stamps, and those at most 1 s behind on an edge that still receives newer ones, are counted
-  /// but not reported.
+  /// Adds the transforms of one message, received at `now`. Returns the ones to report. Repeated
+  /// stamps, and late stamps of max 1 s on an edge that got its newest stamp within the last 1 s,
+  /// are only counted.
   std::vector<Refusal> add(const std::vector<TransformView>& transforms, bool is_static,
                            ros::Time now);
 
@@ -135,33 +136,33 @@ class TransformBuffer {
   /// Counts a transform that was sent before a clock jump, instead of add().
   void countDropped(const TransformView& transform);
 
-  /// An edge whose newest stamp is so far ahead of `now` that tf refuses all stamps of correct
-  /// clocks may begin again: the next transform that is too old replaces its history.
+  /// Lets edges recover whose newest stamp is more than 10 s ahead of `now`, so that tf refuses all
+  /// stamps of correct clocks: the next transform that is too old replaces the edge's history.
   void distrustStampsAhead(ros::Time now);
 
   /// Edges received before the clock ran count as received now.
   void startClock(ros::Time now);
 
   /// The clock jumped ahead, see ClockWatch. A transform from after the jump may have come before
-  /// the new time did: an edge whose newest stamp is within half a second of it counts as received
-  /// now. True if there is one.
+  /// the new time. So an edge whose newest stamp differs from `now` by max 0.5 s counts as received
+  /// now. True if there is such an edge.
   bool jumpAhead(ros::Time now);
 
   const TfIntake& intake() const { return intake_; }
 
-  /// The same of needed edges alone.
+  /// As intake(), but only for needed edges; `accepted` is not counted.
   const TfIntake& neededIntake() const { return needed_intake_; }
 
-  /// A pose that somebody follows comes from this edge, until release(). After a clear() the edge
-  /// counts as needed until a transform of it is accepted.
+  /// The edge is needed until release(), because a followed pose depends on it. After a clear() it
+  /// stays needed until a transform of it is accepted.
   void need(Frame child) { ++edges_[child].needs; }
   void release(Frame child) { --edges_[child].needs; }
 
-  /// By how much the newest transforms of needed edges came behind their stamps [ns], the maximum
-  /// since the last call; nothing if none came.
+  /// The max delay from stamp to arrival [ns] of the newest transforms of needed edges since the
+  /// last call; nothing if none came.
   std::optional<std::int64_t> takeMaxLag() { return std::exchange(max_lag_, std::nullopt); }
 
-  /// True if a message had this edge after the buffer had that version.
+  /// True if a message after that version() had this edge.
   bool isNewerThan(std::uint64_t version, Frame child) const {
     return edges_[child].message > version;
   }
@@ -172,20 +173,21 @@ class TransformBuffer {
   /// False at the top of a tree.
   bool hasParent(Frame child) const { return edges_[child].has_parent; }
 
-  /// By the newest transform. There must be one.
+  /// The parent in the newest transform. There must be one.
   Frame parent(Frame child) const { return edges_[child].parent; }
 
   /// Decided by the first transform, as in tf2.
   bool isStatic(Frame child) const { return edges_[child].is_static; }
 
-  /// A static edge that has come on /tf with another pose, up to a /tf_static that comes 10 s or
-  /// more after the last such pose. tf2 has it at its newest pose at all times, but it may move.
+  /// A static edge is in doubt once /tf sends it with another pose, until /tf_static sends it more
+  /// than 10 s after the last such pose. tf2 uses the newest pose for all times, but the frame may
+  /// move.
   bool isStaticInDoubt(Frame child) const { return edges_[child].is_in_doubt; }
 
   /// The newest stamp; 0 if the edge is static or has no transform.
   std::int64_t newest(Frame child) const { return edges_[child].newest; }
 
-  /// When the newest stamp was accepted. What comes late does not count.
+  /// When the transform with the newest stamp was accepted. Late transforms do not count.
   std::int64_t received(Frame child) const { return edges_[child].received; }
 
   /// The transform of one edge, see EdgeHistory.
@@ -201,8 +203,8 @@ class TransformBuffer {
   /// Changes with each message and each clear().
   std::uint64_t version() const { return message_; }
 
-  /// From now on structure() counts changes of this edge. Where others change, nobody looked. To be
-  /// repeated with each forgetQuiet(), so that the frame is not forgotten.
+  /// From now on structure() changes when this edge's parent changes; edges that nobody watches do
+  /// not count. To be repeated with each forgetQuiet(), so that the frame is not forgotten.
   void watch(Frame child) { edges_[child].watched = pass_; }
 
   /// Changes whenever a watched edge may lead to another parent, now or in the past.
@@ -211,27 +213,27 @@ class TransformBuffer {
   /// Changes with each clear().
   std::uint64_t epoch() const { return epoch_; }
 
-  /// From this stamp on each edge had the parent that it has now.
+  /// At this stamp and all later ones, each edge had its current parent.
   std::int64_t settled() const { return settled_; }
 
  private:
-  friend class TfExcerpt;  // fills a buffer edge by edge, with the names of another one
+  friend class TfExcerpt;  // fills a copy edge by edge, with the names of the original
 
   struct Edge {
-    std::uint64_t message = 0;  ///< the last one with this edge
+    std::uint64_t message = 0;  ///< number of the last message with this edge
     std::int64_t received = 0;
     std::int64_t newest = 0;
     Frame parent = 0;
     std::uint64_t watched = 0;     ///< pass of the last watch(); 0: never
-    std::uint64_t referenced = 0;  ///< pass in which another edge was seen that leads here
+    std::uint64_t referenced = 0;  ///< last pass that saw an edge from another frame
     std::uint32_t holds = 0;
     std::uint32_t needs = 0;
-    bool was_needed = false;  ///< before a clear(), since when no transform was accepted
+    bool was_needed = false;  ///< at the last clear(), until a transform is accepted
     bool is_met = false;      ///< see isMet()
     bool has_parent = false;
     bool is_static = false;
     bool is_in_doubt = false;            ///< see isStaticInDoubt()
-    std::int64_t doubted = 0;            ///< when it last came on /tf with another pose
+    std::int64_t doubted = 0;            ///< when /tf last sent another pose
     bool is_kept = false;                ///< static, and never forgotten
     bool is_distrusted = false;          ///< see distrustStampsAhead()
     bool had_others = false;             ///< the history may have other parents, too
@@ -244,7 +246,7 @@ class TransformBuffer {
     bool isTooOld(std::int64_t stamp) const { return stamp + EdgeHistory::kLength < newest; }
   };
 
-  /// A step of a climb.
+  /// A frame on the way up from the source in climb().
   struct Step {
     Frame frame;
     Tf2Pose frame_from_source;
@@ -271,19 +273,19 @@ class TransformBuffer {
   std::uint64_t structure_ = 1;
   std::uint64_t epoch_ = 1;
   std::int64_t settled_ = 0;
-  std::uint64_t pass_ = 1;           ///< over all frames: this and what follows is of forgetQuiet()
-  Frame next_ = 0;                   ///< to be visited
+  std::uint64_t pass_ = 1;  ///< of forgetQuiet() over all frames: the number of the current one
+  Frame next_ = 0;          ///< the next frame that this pass visits
   std::size_t kept_static_ = 0;      ///< edges that are kept because they are static
   std::size_t unused_ = 0;           ///< frames that were forgotten and whose numbers are free
-  ros::SteadyTime noted_at_;         ///< a minute ago, or less
-  std::uint64_t noted_message_ = 0;  ///< at that time
-  std::uint64_t quiet_since_ = 0;    ///< the message before the last full minute
-  std::vector<Frame> forgotten_;     ///< in this pass
-  std::vector<Frame> waiting_;       ///< in an earlier pass: until readers_before_ have ended
+  ros::SteadyTime noted_at_;         ///< start of the current minute
+  std::uint64_t noted_message_ = 0;  ///< message_ at noted_at_
+  std::uint64_t quiet_since_ = 0;    ///< message_ at the start of the last full minute
+  std::vector<Frame> forgotten_;     ///< frames whose names were forgotten, until a later pass ends
+  std::vector<Frame> waiting_;       ///< forgotten before: reusable after all readers_before_ ended
   std::shared_ptr<std::atomic<int>> readers_ = std::make_shared<std::atomic<int>>(0);
   std::shared_ptr<std::atomic<int>> readers_before_ = std::make_shared<std::atomic<int>>(0);
-  mutable std::vector<Step> steps_;  ///< the last climb, from the source upwards
-  mutable WalkMarks marks_;          ///< places in steps_
+  mutable std::vector<Step> steps_;  ///< result of climb(), from the source upwards
+  mutable WalkMarks marks_;          ///< indices in steps_
 };
 
 }  // namespace link_bounds

@@ -43,8 +43,8 @@ void TransformInput::addAll(const std::vector<TransformView>& transforms, bool i
   if (!refusals.empty()) report(refusals, transforms, publisher());
 }
 
-/// A publisher that is late has thousands of late transforms: words are made only for those lines
-/// that are logged.
+/// A late publisher sends thousands of late transforms. So a text is made only for lines that are
+/// logged.
 void TransformInput::report(const std::vector<Refusal>& refusals,
                             const std::vector<TransformView>& transforms,
                             const std::string& publisher) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the transforms of a message into a TransformBuffer.
+// Adds the transforms of messages to a TransformBuffer.
 #pragma once
 
 #include <functional>
@@ -20,17 +20,17 @@ class TransformInput {
   /// The name of the node that sent the message; called at most once for each message.
   using Publisher = std::function<std::string()>;
 
-  /// Adds the transforms of a message that is taken at `now`, without those that were sent before
-  /// the clock jumped back: see ClockWatch of `arrival`. Logs what tf refuses, and who sends late.
+  /// Adds the transforms of a message at time `now`, except those that were sent before the clock
+  /// jumped back, see ClockWatch::isFromBeforeJump(). Logs refused and late transforms.
   void add(const std::vector<TransformView>& transforms, bool is_static, const Publisher& publisher,
            const ClockWatch& clock, ros::Time now, ros::SteadyTime arrival, TransformBuffer& tf);
 
-  /// Who sends stamps behind the newest ones; see LatePublishers.
+  /// The publishers of late transforms; see LatePublishers.
   LatePublishers::Texts takeLatePublishers() {
     return late_publishers_.take(ros::SteadyTime::now());
   }
 
-  /// What was logged may be logged again.
+  /// Lines that were logged may be logged again.
   void forgetLog();
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The position of each frame on a walk through the frames. A new walk needs no clearing: marks of
-// earlier walks have another number.
+// The position of each frame on a walk through the frames. A new walk does not clear the marks:
+// each mark has the number of its walk.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@ namespace link_bounds {
 
 class WalkMarks {
  public:
-  /// Begins a walk among so many frames; none of them is marked.
+  /// Begins a walk among `frame_count` frames, of which none is marked yet.
   void begin(std::size_t frame_count) {
     ++walk_;
     grow(frame_count);
   }
 
-  /// Frames were added during the walk; they are not marked.
+  /// To be called when frames were added during the walk; they are not marked.
   void grow(std::size_t frame_count) {
     if (marks_.size() < frame_count) marks_.resize(frame_count);
   }
 
   void set(std::size_t frame, std::size_t position) { marks_[frame] = {walk_, position}; }
 
-  /// Nothing if the frame was not met.
+  /// Nothing if the frame is not marked.
   std::optional<std::size_t> position(std::size_t frame) const {
     if (marks_[frame].walk != walk_) return std::nullopt;
     return marks_[frame].position;
