@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From what arrives to a scene and its output, in the order of the functions below.
+// Passes messages to the scene and the scene to the outputs; functions are in that order.
 #include "node/publisher_node.h"
 
 #include <ros/init.h>
@@ -19,21 +19,22 @@
 namespace link_bounds {
 namespace {
 
-/// Messages that may wait; if more come, roscpp drops the oldest, and tells nobody.
+/// Max waiting messages per topic. If more come, roscpp drops the oldest without notice.
 constexpr std::uint32_t kObjectsQueue = 1000;
-constexpr std::uint32_t kObjectQueue = 100'000;  // a scene of single markers, about 1 kB each
+constexpr std::uint32_t kObjectQueue = 100'000;  // a scene sent as single markers, about 1 kB each
 const ros::WallDuration kTick(SceneFeed::kTick);
 const ros::WallDuration kLostFramesPeriod(0.5);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
-constexpr std::chrono::milliseconds kMaxWait(100);  // until a shutdown is noticed
+constexpr std::chrono::milliseconds kMaxWait(100);  // max delay until a shutdown is noticed
 
-/// Messages that wait for longer than this, or more of them, are taken together.
+/// If a message has waited longer than this, or more than kMaxWaiting messages wait, all of them
+/// share one update.
 constexpr std::chrono::milliseconds kMaxBacklogAge(20);
 
 constexpr std::size_t kMaxWaiting = 64;
 
-/// Of those that are taken together, /tf is skipped after this time but for the newest kMaxWaiting
-/// messages, so that boxes are not old where even taking it is too slow.
+/// When messages share an update: after this time, messages of /tf are skipped except the newest
+/// kMaxWaiting. This keeps boxes recent even if reading all of /tf is too slow.
 constexpr std::chrono::milliseconds kMaxTaking(15);
 
 double seconds(std::chrono::nanoseconds duration) {
@@ -88,7 +89,7 @@ PublisherNode::PublisherNode()
     earliest_output_.request();
   });
   ModelLoader::Handlers handlers;
-  // What adopt() throws becomes ~reload's answer.
+  // An exception of adopt() becomes the response of ~reload.
   handlers.adopt = [this](const auto& model) { measure([&] { adopt(model); }); };
   handlers.on_mesh = [this](const auto& request, const auto& mesh) {
     guard_([&] { feed_.onMesh(request, mesh, ros::Time::now()); });
@@ -99,15 +100,15 @@ PublisherNode::PublisherNode()
       std::make_unique<MasterWatch>(private_node_.resolveName(privateName(kNeighboursTopic)));
 }
 
-/// Distances and paths request trees from the loader.
+/// Stops the threads that request trees from the loader, before the loader is destroyed.
 PublisherNode::~PublisherNode() {
   path_service_.stop();
   output_.distances().stop();
   earliest_output_.stop();
 }
 
-/// Called on the threads of distances and contacts, which work only after a model has come from
-/// the loader.
+/// The functions are called on the threads of distances and contacts, which work only after the
+/// loader has made a model.
 TreeRequests PublisherNode::treeRequests() {
   TreeRequests requests;
   requests.mesh = [this](const auto& uri, const auto& points) {
@@ -124,7 +125,7 @@ TreeRequests PublisherNode::treeRequests() {
   return requests;
 }
 
-/// On a reader. Once no other owner of the list is left, nobody waits for its tree.
+/// Called on a reader thread. If `list` has no other owner, nobody needs its tree.
 void PublisherNode::makeListTree(const std::shared_ptr<const ObjectContent>& list,
                                  const MeshReaders::IsCancelled& is_cancelled) {
   const auto is_unwanted = [&] { return is_cancelled() || list.use_count() == 1; };
@@ -139,7 +140,7 @@ void PublisherNode::makeListTree(const std::shared_ptr<const ObjectContent>& lis
   if (!is_unwanted()) give(made);
 }
 
-/// On a reader.
+/// Called on a reader thread.
 void PublisherNode::onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree) {
   MadeTree made{request.points, nullptr, tree.error};
   if (tree.points == request.points.lock()) {
@@ -152,7 +153,7 @@ void PublisherNode::onTree(const ModelLoader::TreeRequest& request, const Loaded
   give(made);
 }
 
-/// To all that may have requested it.
+/// Gives the tree to all outputs that may have requested it.
 void PublisherNode::give(const MadeTree& tree) {
   output_.distances().give(tree);
   earliest_output_.give(tree);
@@ -170,8 +171,8 @@ void PublisherNode::spin() {
   }
 }
 
-/// While the node keeps up, each message leads to an update. Else all that wait are taken before
-/// one update, and messages of /tf for which kMaxTaking leaves no time are skipped.
+/// While the node keeps up, each message leads to an update. Otherwise all waiting messages share
+/// one update, and messages of /tf are skipped after kMaxTaking.
 void PublisherNode::callWaiting() {
   const auto begin = std::chrono::steady_clock::now();
   const TimedQueue::Backlog backlog = queue_.backlog();
@@ -185,7 +186,7 @@ void PublisherNode::callWaiting() {
   }
   tf_receiver_.skip(false);
   feed_.setJoining(false);
-  if (is_behind) guard_([] {});  // the update
+  if (is_behind) guard_([] {});  // runs the update
   const auto delay = backlog.oldest + (std::chrono::steady_clock::now() - begin);
   if (backlog.count > 0) max_delay_ = std::max(max_delay_, delay);
 }

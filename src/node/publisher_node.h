@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The node: connects what arrives to the scene, and the scene to its outputs.
+// The node: connects its inputs to the scene, and the scene to its outputs.
 #pragma once
 
 #include <ros/message_event.h>
@@ -31,7 +31,7 @@
 
 namespace link_bounds {
 
-/// Everything here runs on the thread that calls spin(), the update thread.
+/// All functions run on the thread that calls spin(), the update thread, unless stated otherwise.
 class PublisherNode {
  public:
   PublisherNode();
@@ -39,22 +39,22 @@ class PublisherNode {
   PublisherNode(const PublisherNode&) = delete;
   PublisherNode& operator=(const PublisherNode&) = delete;
 
-  /// Handles what arrives, until the node is to end.
+  /// Handles callbacks until the node is shut down.
   void spin();
 
-  /// 0, or 1 if there was nothing to publish.
+  /// 0, or 1 if the first load failed permanently.
   int exitCode() const { return loader_->hasFailed() ? 1 : 0; }
 
  private:
   using Marker = visualization_msgs::Marker;
-  /// Not const: as the only reader of the topic the node may take points out of the message.
+  /// The event type of subscribeReceived(). It is not const, so that callbacks may move data out of
+  /// a message.
   using NeighbourEvent = ros::MessageEvent<Received<AxisAlignedBoxArray>>;
 
-  /// Runs a callback that is not that of a message: it finds the scene up to date. Records how long
-  /// it takes.
+  /// Updates the scene, then runs a callback that does not handle a message. Records its time.
   void measure(const std::function<void()>& body);
 
-  /// Runs the callback of a message; lets no exception out.
+  /// Runs the callback of a message and records its time; lets no exception out.
   void guardMessage(const std::function<void()>& body);
 
   void callWaiting();
@@ -65,7 +65,7 @@ class PublisherNode {
                     const MeshReaders::IsCancelled& is_cancelled);
   void onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree);
   void give(const MadeTree& tree);
-  /// `take` gets the complete messages and their senders.
+  /// `take` gets each complete message and the name of its sender.
   template <class Message, class Take>
   ros::Subscriber subscribe(const TopicName& topic, std::uint32_t size, Take take);
   void subscribeToObjects();
@@ -79,7 +79,7 @@ class PublisherNode {
   void warnOfLostFrames();
   void publishDiagnostics();
 
-  TimedQueue queue_;  ///< first: what follows posts into it
+  TimedQueue queue_;  ///< first, because the other members post into it
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   SceneFeed feed_;
@@ -88,11 +88,11 @@ class PublisherNode {
   ModelLoader::ModelPtr model_;
   CallbackTimes times_;
   std::uint64_t updates_ = 0;
-  std::size_t skipped_ = 0;                ///< messages of /tf, since the last status
-  std::chrono::nanoseconds max_delay_{0};  ///< of a message in the node, since the last status
-  /// The same as measure(); lets no exception out.
+  std::size_t skipped_ = 0;                ///< skipped messages of /tf since the last status
+  std::chrono::nanoseconds max_delay_{0};  ///< max delay of a message, since the last status
+  /// Like measure(), but lets no exception out.
   const Guard guard_ = [this](const auto& body) { guarded([&] { measure(body); }); };
-  Periodic periodic_;  ///< before the outputs, which have alarms there
+  Periodic periodic_;  ///< before the outputs, which add alarms to it
   SceneOutput output_;
   LostFrames lost_frames_;
   Diagnostics diagnostics_;
@@ -107,7 +107,7 @@ class PublisherNode {
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::Subscriber neighbours_subscriber_;
-  std::unique_ptr<ModelLoader> loader_;  ///< near the end: its thread ends before the rest goes
+  std::unique_ptr<ModelLoader> loader_;  ///< near the end: its thread uses the members above
   std::unique_ptr<MasterWatch> master_watch_;
 };
 

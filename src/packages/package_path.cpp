@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches by the rules of rospack, but without rospack::crawl, which throws at the first manifest
-// that is not XML, crashes at one with an empty name, and writes a cache file.
+// Searches by the rules of rospack, but does not use rospack::crawl: it throws at the first
+// manifest that is not XML, crashes at a manifest with an empty name, and writes a cache file.
 #include "packages/package_path.h"
 
 #include <rospack/rospack.h>
@@ -24,16 +24,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Far above any real manifest, which has some kilobytes.
+/// Max size of a manifest. Real ones have some kilobytes.
 constexpr std::uintmax_t kMaxManifestBytes = 1 << 24;
 
-/// The folder of Debian's ROS packages. It holds much else, so Debian's rospack searches one level.
+/// True for the folder of Debian's ROS packages. It contains many other folders, so Debian's
+/// rospack searches only one level deep.
 bool isFlat(const fs::path& root) {
   return (root / "").lexically_normal() == "/usr/share/";
 }
 
 struct Content {
-  std::set<std::string> files;  ///< those that matter to the search
+  std::set<std::string> files;  ///< only names that affect the search
   std::vector<fs::path> subfolders;
 };
 
@@ -71,8 +72,8 @@ std::optional<std::string> statedName(const fs::path& manifest) {
 /// The packages along a search path.
 class Packages {
  public:
-  /// Visits each folder once, also if symbolic links lead to it again. Of packages of one name the
-  /// first counts.
+  /// Visits each folder once, even if several symbolic links lead to it. If packages have the same
+  /// name, the first one counts.
   void addBelow(const fs::path& root) {
     std::vector<fs::path> open{root};
     while (!open.empty()) {
@@ -91,7 +92,8 @@ class Packages {
     }
   }
 
-  /// "" if there is none. Throws MeshError if a manifest cannot be read that may be of this name.
+  /// The folder of a package; "" if there is no such package. Throws MeshError if the package may
+  /// be one whose manifest cannot be read.
   std::string folderOf(const std::string& name) const {
     const auto found = folders_.find(name);
     if (found != folders_.end()) return found->second;
@@ -109,7 +111,7 @@ class Packages {
            visited_.emplace(status.st_dev, status.st_ino).second;
   }
 
-  /// A manifest without a name means that of the folder.
+  /// If the manifest has no name, the package has the name of the folder.
   void addPackage(const fs::path& folder) {
     const std::optional<std::string> name = statedName(folder / "package.xml");
     if (name) {
@@ -119,7 +121,7 @@ class Packages {
     }
   }
 
-  /// The one in a folder of that name, or else the first.
+  /// The unreadable manifest in a folder called `name`; if there is none, the first unreadable one.
   std::string brokenManifestFor(const std::string& name) const {
     for (const fs::path& manifest : broken_) {
       if (manifest.parent_path().filename() == name) return manifest.string();
@@ -128,7 +130,7 @@ class Packages {
   }
 
   std::map<std::string, std::string> folders_;
-  std::vector<fs::path> broken_;  ///< files
+  std::vector<fs::path> broken_;  ///< paths of unreadable manifests
   std::set<std::pair<dev_t, ino_t>> visited_;
 };
 

@@ -7,9 +7,9 @@
 
 namespace link_bounds {
 
-/// Finds packages along ROS_PACKAGE_PATH, as rospack does. A manifest that cannot be read affects
-/// no other package. The first call of the returned function searches the path and keeps the
-/// result, so each load needs a new one. Any number of threads may call it.
+/// Finds packages along ROS_PACKAGE_PATH, as rospack does. An unreadable manifest affects no other
+/// package. The first call of the returned function searches the path and keeps the result, so call
+/// rosPackages() again to find new packages. Any number of threads may call the returned function.
 PackagePath rosPackages();
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names and lists in one line of text.
+// Formats names and lists as one line of text.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ inline std::string quoted(const std::string& name) {
   return '"' + name + '"';
 }
 
-/// What `to_text` makes of the elements, with the separator between them, also of empty texts.
+/// The texts that `to_text` makes of the elements, with `separator` between them; empty texts are
+/// not skipped.
 template <class Elements, class ToText>
 std::string joined(const Elements& elements, const std::string& separator, const ToText& to_text) {
   std::string result;

@@ -10,13 +10,13 @@ namespace link_bounds {
 namespace {
 
 struct Character {
-  std::optional<std::uint32_t> code = std::nullopt;  ///< none if the bytes are not well-formed
+  std::optional<std::uint32_t> code = std::nullopt;  ///< nullopt if the bytes are not well-formed
   std::size_t length = 1;                            ///< bytes
 };
 
-/// The text must not be empty.
+/// Decodes the first character. `text` must not be empty.
 Character firstCharacter(std::string_view text) {
-  // The smallest code that needs so many bytes; smaller ones are overlong forms.
+  // The min code by length in bytes; a smaller code is an overlong form.
   constexpr std::array<std::uint32_t, 5> kMinCode{0, 0, 0x80, 0x800, 0x10000};
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);

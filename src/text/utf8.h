@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names, paths and reasons come from outside and may hold any bytes.
+// Replaces bytes in text from outside, such as names, paths and error texts, which may be invalid.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace link_bounds {
 
-/// Replaces each byte that is not part of well-formed UTF-8, and each character whose code point
-/// `is_allowed` refuses.
+/// Replaces each byte that is not part of well-formed UTF-8, and each character for which
+/// `is_allowed` returns false, by `replacement`.
 std::string sanitized(std::string_view text, bool (*is_allowed)(std::uint32_t code),
                       std::string_view replacement);
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads messages of any type. roscpp's own stream takes memory for as many elements as a list
-// announces, and only then looks whether they are there: 24 bytes can take gigabytes.
+// Reads messages of any type and checks list lengths first. roscpp's own stream allocates memory
+// for as many elements as a list announces, and only then checks whether they are there: a message
+// of 24 bytes can allocate gigabytes.
 #pragma once
 
 #include <ros/serialization.h>
@@ -11,13 +12,13 @@
 
 namespace link_bounds {
 
-/// Before a list takes memory, the length that it announces is compared with the bytes that are
+/// Before memory for a list is allocated, the announced length is compared with the number of bytes
 /// left. Throws ros::serialization::StreamOverrunException if they are too few.
 class CheckedStream : public ros::serialization::IStream {
  public:
   using IStream::IStream;
 
-  /// What generated code calls for each field.
+  /// Generated code calls this for each field.
   template <class Field>
   void next(Field& field) {
     ros::serialization::deserialize(*this, field);
@@ -32,7 +33,7 @@ class CheckedStream : public ros::serialization::IStream {
  private:
   template <class Element>
   void checkLength() {
-    // All lists and texts in an element may be empty.
+    // The min size of an element: all its lists and strings are empty.
     static const std::uint64_t min_size = ros::serialization::serializationLength(Element());
     IStream ahead = *this;
     std::uint32_t length = 0;
@@ -41,7 +42,7 @@ class CheckedStream : public ros::serialization::IStream {
   }
 };
 
-/// False, with an empty message, if its bytes end before all that it announces.
+/// False, with an empty message, if `data` ends before the announced end of the message.
 template <class Message>
 bool readComplete(const std::uint8_t* data, std::uint32_t size, Message& message) {
   try {

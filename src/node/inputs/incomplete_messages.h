@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages that announce more than they have are refused: the type with which to subscribe to
-// messages of strangers, or to serve their requests, and who looks at them.
+// Refuses incomplete messages, whose bytes end before the announced length of a list or string.
+// Received is the type for subscribers and services; IncompleteMessages checks and logs.
 #pragma once
 
 #include <ros/message_event.h>
@@ -18,15 +18,15 @@
 
 namespace link_bounds {
 
-/// A Message that roscpp reads by CheckedStream. Reading does not throw: roscpp would log each such
-/// message, without its topic.
+/// A Message that roscpp reads through CheckedStream. Reading does not throw: roscpp would log each
+/// incomplete message without its topic.
 template <class Message>
 struct Received : Message {
-  bool is_complete = true;  ///< if not, the message is empty; see IncompleteMessages
+  bool is_complete = true;  ///< if false, the message is empty; see IncompleteMessages
 };
 
-/// Calls take(event) for each message on `topic`, on the thread of the node's queue. `queue` is how
-/// many wait for it at most.
+/// Calls take(event) for each message on `topic`, on the thread of the node's queue. `queue` is the
+/// max number of waiting messages.
 template <class Message, class Take>
 ros::Subscriber subscribeReceived(ros::NodeHandle& node, const std::string& topic,
                                   std::uint32_t queue, Take take) {
@@ -34,11 +34,11 @@ ros::Subscriber subscribeReceived(ros::NodeHandle& node, const std::string& topi
       topic, queue, std::move(take), {}, ros::TransportHints().tcpNoDelay());
 }
 
-/// Of one thread.
+/// Not thread-safe.
 class IncompleteMessages {
  public:
-  /// Whether all of the message is there. If not, logs that, at a limited rate. `topic` may also be
-  /// a service.
+  /// True if the message is complete. If not, logs that, at a limited rate. `topic` may also be a
+  /// service.
   template <class Message>
   bool accept(const Received<Message>& message, const std::string& topic,
               const std::string& sender) {
@@ -52,7 +52,7 @@ class IncompleteMessages {
   RefusalLog log_{"a message on", "messages on further topics"};
 };
 
-extern const char* const kIncompleteMessage;  ///< why one is refused
+extern const char* const kIncompleteMessage;  ///< the reason for the log and for a response
 
 }  // namespace link_bounds
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages wait in a queue of their own until they are read.
+// Messages wait in queue_ until read() handles them.
 #include "node/inputs/joint_state_receiver.h"
 
 #include <ros/console.h>
@@ -16,7 +16,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kJointQueue = 1000;  // messages, a second at 1 kHz
+constexpr std::uint32_t kJointQueue = 1000;  // messages: one second at 1 kHz
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void JointStateReceiver::rest() {
   states_.clear();
 }
 
-/// Positions, and velocities if there is one for each name.
+/// Adds positions, and velocities if the message has one for each name.
 void JointStateReceiver::take(const Event& event) {
   const auto& message = *event.getConstMessage();
   if (!incomplete_messages_.accept(message, kJointStatesTopic.name, event.getPublisherName()))

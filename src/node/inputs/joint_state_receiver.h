@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Subscribes to joint_states while somebody needs it.
+// Subscribes to joint_states while an output needs it.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -14,20 +14,21 @@
 
 namespace link_bounds {
 
-/// Of one thread, which reads what has come when it needs it.
+/// For one thread, which handles the waiting messages when it calls read().
 class JointStateReceiver {
  public:
   JointStateReceiver();
   JointStateReceiver(const JointStateReceiver&) = delete;
   JointStateReceiver& operator=(const JointStateReceiver&) = delete;
 
-  /// All that has come since the topic is subscribed to, which the first call does. If `epoch`,
-  /// that of tf, has changed since the last call, the clock has jumped back, and all is forgotten.
-  /// Stamps more than ten seconds ahead of the clock are ignored: others would count as old. What
-  /// was sent before a jump is ignored, too; see ClockWatch::isFromBeforeJump.
+  /// The joint states received since the subscription, which the first call makes. `epoch` is that
+  /// of tf: if it has changed since the last call, the clock has jumped back, and all states are
+  /// discarded. Messages with stamps more than ten seconds ahead of the clock are ignored, because
+  /// later messages would then count as old. Messages sent before a jump are ignored as well; see
+  /// ClockWatch::isFromBeforeJump.
   const JointStates& read(std::uint64_t epoch);
 
-  /// Forgets all, until the next read().
+  /// Unsubscribes and discards all states, until the next read().
   void rest();
 
  private:
@@ -35,7 +36,7 @@ class JointStateReceiver {
 
   void take(const Event& event);
 
-  ros::CallbackQueue queue_;  ///< before the subscriber, which calls back into it
+  ros::CallbackQueue queue_;  ///< declared before the subscriber, which posts into it
   ros::NodeHandle node_;
   ros::Subscriber subscriber_;
   IncompleteMessages incomplete_messages_;

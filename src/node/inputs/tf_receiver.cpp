@@ -5,7 +5,8 @@
 namespace link_bounds {
 namespace {
 
-/// Static transforms are sent once: none may be dropped.
+/// Max waiting messages of /tf_static. None may be dropped, because static transforms are sent
+/// once.
 constexpr std::uint32_t kStaticQueue = 5000;
 
 }  // namespace
@@ -14,7 +15,7 @@ TfReceiver::TfReceiver(ros::NodeHandle& node, const Callback& on_message)
     : subscriber_(subscribe(node, kTfTopic, false, on_message)),
       static_subscriber_(subscribe(node, kTfStaticTopic, true, on_message)) {}
 
-/// Without tcpNoDelay the kernel delays small messages to send several at once.
+/// Without tcpNoDelay the kernel delays small messages to send several together.
 ros::Subscriber TfReceiver::subscribe(ros::NodeHandle& node, const TopicName& topic, bool is_static,
                                       const Callback& on_message) {
   ros::SubscribeOptions options;

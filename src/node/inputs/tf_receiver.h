@@ -20,8 +20,8 @@ class TfReceiver {
   using Event = ros::MessageEvent<const TfMessage>;
   using Callback = std::function<void(const Event& event, bool is_static)>;
 
-  /// Messages of /tf that may wait; if more come, roscpp drops the oldest, and tells nobody. A
-  /// second at 1 kHz; tf2_ros has 100.
+  /// Max waiting messages of /tf: one second at 1 kHz; tf2_ros has 100. If more come, roscpp drops
+  /// the oldest without notice.
   static constexpr std::uint32_t kQueue = 1000;
 
   /// `on_message` is called for each message.
@@ -29,17 +29,19 @@ class TfReceiver {
   TfReceiver(const TfReceiver&) = delete;
   TfReceiver& operator=(const TfReceiver&) = delete;
 
-  /// Whether messages of /tf whose callback is called from now on are skipped; see TfMessage.
+  /// While set, messages of /tf are not deserialised; their callbacks get an empty message with
+  /// is_skipped set.
   void skip(bool skips) { memory_->skip(skips); }
 
-  /// To be called regularly: frees the memory that only a huge message needs.
+  /// Call regularly. Frees memory that only very large messages need.
   void freeSpareMemory();
 
  private:
   ros::Subscriber subscribe(ros::NodeHandle& node, const TopicName& topic, bool is_static,
                             const Callback& on_message);
 
-  // roscpp may write into it after this has gone, for another subscriber of this process.
+  // Shared, because roscpp may write into the memory for another subscriber of this process after
+  // this object is destroyed.
   std::shared_ptr<TfMessageMemory> memory_ = std::make_shared<TfMessageMemory>();
   std::shared_ptr<TfMessageMemory> static_memory_ = std::make_shared<TfMessageMemory>();
   ros::Subscriber subscriber_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The forms of roscpp: _PARAMETER:=VALUE, __KEYWORD:=VALUE and NAME:=OTHER_NAME.
+// Arguments have the forms of roscpp: _PARAMETER:=VALUE, __KEYWORD:=VALUE and NAME:=OTHER_NAME.
 #include "node/interface/command_line.h"
 
 #include <ros/names.h>
@@ -31,12 +31,12 @@ bool isParameter(const std::string& name, const NodeTables& tables) {
   return reader.knows(name);
 }
 
-/// A topic or a service.
+/// True for a topic or a service.
 bool isTopic(const std::string& name, const NodeTables& tables) {
   return std::find(tables.topics.begin(), tables.topics.end(), name) != tables.topics.end();
 }
 
-/// Of each node of roscpp.
+/// Services that every roscpp node has.
 const std::set<std::string> kLoggers{"~get_loggers", "~set_logger_level"};
 
 bool isName(const std::string& text) {
@@ -44,7 +44,8 @@ bool isName(const std::string& text) {
   return ros::names::validate(text, reason);
 }
 
-/// The value to which roscpp sets a parameter. It tries the types in the same order.
+/// The value that roscpp gives to a parameter for this text. roscpp tries the types in the same
+/// order.
 XmlRpcValue valueOf(const std::string& text) {
   int whole = 0;
   double real = 0;
@@ -77,7 +78,7 @@ void checkKeyword(const Assignment& a) {
 /// Launch files remap names for all nodes of a scope, so an unused name is no error.
 void checkRemapping(const Assignment& a, const NodeTables& tables, CommandLine& line) {
   const bool has_tilde = a.left[0] == '~';
-  // As roscpp resolves it.
+  // roscpp treats ~NAME and ~/NAME alike.
   const std::string name = a.left.substr(!has_tilde ? 0 : a.left.compare(0, 2, "~/") == 0 ? 2 : 1);
   const std::string resolved = has_tilde ? "~" + name : name;
   const bool is_topic = isTopic(resolved, tables) || kLoggers.count(resolved) > 0;
@@ -140,7 +141,8 @@ CommandLine readCommandLine(int argc, const char* const* argv, const NodeTables&
       }
     }
   }
-  // roscpp sets a parameter before the node reads it, so a bad value would stay on the server.
+  // Checks the values now: roscpp sets parameters before the node reads them, so a bad value would
+  // stay on the server.
   ParameterReader reader(values);
   tables.read_parameters(reader);
   return line;

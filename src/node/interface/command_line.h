@@ -18,14 +18,14 @@ class ArgumentError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What the tables of a node have.
+/// The parameters, topics and services of a node.
 struct NodeTables {
   /// Reads all parameters of the node.
   std::function<void(ParameterReader& reader)> read_parameters;
-  std::vector<std::string> topics;  ///< and services; private ones begin with ~
+  std::vector<std::string> topics;  ///< topics and services; private names begin with ~
 };
 
-/// Those of link_bounds_publisher.
+/// The tables of link_bounds_publisher.
 NodeTables publisherTables();
 
 struct CommandLine {
@@ -34,8 +34,9 @@ struct CommandLine {
   std::vector<std::string> warnings;
 };
 
-/// Checks all arguments and the values of parameters among them, without a word to the ROS master:
-/// a node that registers ends the running one of its name. Throws ArgumentError and ParameterError.
+/// Checks all arguments, and the values of parameters among them. Does not contact the ROS master,
+/// because a node that registers ends a running node of the same name. Throws ArgumentError and
+/// ParameterError.
 CommandLine readCommandLine(int argc, const char* const* argv, const NodeTables& tables);
 
 }  // namespace link_bounds

@@ -13,7 +13,7 @@ using XmlRpc::XmlRpcValue;
 
 namespace {
 
-/// A text that is one, such as 1e-2.
+/// True for a string that reads as a number, such as 1e-2, which YAML takes for a string.
 bool isNumber(XmlRpcValue& value) {
   if (value.getType() != XmlRpcValue::TypeString) return false;
   const std::string& text = static_cast<std::string&>(value);
@@ -68,7 +68,7 @@ std::string fromXml(XmlRpcValue& value, std::vector<std::string>& out) {
   return "";
 }
 
-/// roscpp takes _name:=[a, b] on the command line for a string.
+/// Explains lists and maps, because roscpp takes _name:=[a, b] on the command line for a string.
 std::string wrongValue(const std::string& name, XmlRpcValue& value, const std::string& fault) {
   const bool is_list = fault.find("must be a list") == 0;
   const bool is_text = value.getType() == XmlRpcValue::TypeString;

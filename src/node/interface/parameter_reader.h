@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts the untyped values of the parameter server, as the table of parameters says.
+// Converts the untyped values of the parameter server to the types in the table of parameters.
 #pragma once
 
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -51,12 +51,12 @@ std::string fromXml(XmlRpc::XmlRpcValue& value, std::map<std::string, T>& out) {
   return "";
 }
 
-/// The message about a parameter; `fault` is what the value must be or must not be.
+/// The error message for a parameter. `fault` says what the value must be or must not be.
 std::string wrongValue(const std::string& name, XmlRpc::XmlRpcValue& value,
                        const std::string& fault);
 
-/// A visitor of the table of parameters. Sets the fields for which `values`, a struct, has a
-/// member, and collects all names of the table.
+/// A visitor of the table of parameters. For each member of the struct `values` it sets the field
+/// of that name. Collects all names of the table.
 class ParameterReader {
  public:
   explicit ParameterReader(XmlRpc::XmlRpcValue& values) : values_(values) {}
@@ -72,10 +72,10 @@ class ParameterReader {
       throw ParameterError(wrongValue("~" + std::string(name), values_[name], fault));
   }
 
-  /// Whether the table has that name.
+  /// True if the table has that name.
   bool knows(const std::string& name) const { return known_.count(name) > 0; }
 
-  /// One warning per member of `values` that the table does not have.
+  /// One warning per member of `values` whose name is not in the table.
   std::vector<std::string> warnings() const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Two calls of the Parameter Server API of ROS.
+// Uses getParam and searchParam of the Parameter Server API of ROS.
 #include "node/interface/parameter_server.h"
 
 #include <ros/names.h>
@@ -33,7 +33,7 @@ std::string ParameterServer::resolved(const std::string& ns, const std::string& 
   return ros::names::resolve(ns, remapped(name), false);
 }
 
-/// The API searches from the namespace of the caller.
+/// searchParam searches upward from the namespace of the caller, so `ns` is passed as the caller.
 std::optional<std::string> ParameterServer::search(const std::string& ns,
                                                    const std::string& name) const {
   auto found = call("searchParam", ns, remapped(name));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The one table of parameters: name, meaning and rule. It serves the reader and --help, and so the
-// test of README's table.
+// The table of parameters: name, meaning and rule. The reader and --help use it; a test compares
+// README's table with --help.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace link_bounds {
 
 namespace rules {
 
-/// A rule returns what a value must be, or "" if the value obeys.
+/// A rule returns an error such as "must be > 0", or "" if the value is valid.
 template <class T>
 std::string any(const T&) {
   return "";
@@ -28,8 +28,8 @@ inline std::string positive(double value) {
   return std::isfinite(value) && value > 0 ? "" : "must be a finite number > 0";
 }
 
-/// Lengths beyond it are slips, such as micrometres for metres. Sums of them stay finite and exact
-/// to a nanometre.
+/// Longer lengths are mistakes, such as micrometres for metres. Sums of lengths up to this one stay
+/// finite and exact to a nanometre.
 constexpr double kMaxLength = 1e6;  // m
 
 inline std::string length(double value) {
@@ -128,7 +128,8 @@ inline std::string attached(const std::map<std::string, std::vector<std::string>
 
 }  // namespace rules
 
-/// Those by which links are chosen and padded. `padding` is the meaning of that parameter.
+/// Visits the parameters that choose and pad links. `padding` is the help text of parameter
+/// padding.
 template <class AnyParameters, class Visitor>
 void visitLinkParameters(AnyParameters& p, Visitor&& visit, const char* padding) {
   visit("geometry", p.geometry, rules::geometry, "visual, collision or both");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values in the notation of YAML.
+// Prints values in YAML notation.
 #include "node/interface/parameter_text.h"
 
 #include <cmath>

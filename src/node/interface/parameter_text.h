@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Type and default of a parameter, as --help prints them; any value, as messages quote it.
+// The text of types and defaults for --help, and of values for messages.
 #pragma once
 
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -58,7 +58,7 @@ std::string valueText(const std::array<double, count>& value) {
     text += (text.empty() ? "[" : ", ") + valueText(part);
   return text + "]";
 }
-/// For defaults, which are empty lists and maps.
+/// Only for defaults, which are empty lists and maps.
 template <class T>
 std::string valueText(const std::vector<T>&) {
   return "[]";
@@ -67,7 +67,7 @@ template <class T>
 std::string valueText(const std::map<std::string, T>&) {
   return "{}";
 }
-/// A parameter that must be given has none.
+/// A required parameter has no default.
 template <class T>
 std::string valueText(const std::optional<T>&) {
   return "(required)";

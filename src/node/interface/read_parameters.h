@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the parameters of a node on the server.
+// Reads the parameters of a node from the parameter server.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace link_bounds {
 
-/// In the private namespace of that node or the nearest one above it, as robot_state_publisher
-/// finds it; "" if it is not set. Throws ParameterError, NoMaster.
+/// The value of tf_prefix in the private namespace of `node` or the nearest namespace above it, as
+/// robot_state_publisher finds it; "" if it is not set. Throws ParameterError, NoMaster.
 inline std::string foundTfPrefix(const ParameterServer& server, const std::string& node) {
   const auto name = server.search(node, "tf_prefix");
   auto value = name ? server.get(*name) : std::nullopt;
@@ -26,11 +26,11 @@ inline std::string foundTfPrefix(const ParameterServer& server, const std::strin
 template <class Parameters>
 struct ReadParameters {
   Parameters parameters;
-  std::vector<std::string> warnings;  ///< one per unknown private name
+  std::vector<std::string> warnings;  ///< one per unknown private parameter
 };
 
-/// The private parameters of the node of that full name. `visit` calls a visitor with each, as
-/// visitParameters() does. Throws the same.
+/// The private parameters of the node with full name `node`. `visit` calls a visitor with each
+/// parameter, as visitParameters() does. Throws ParameterError, NoMaster.
 template <class Parameters, class Visit>
 ReadParameters<Parameters> readParameters(const ParameterServer& server, const std::string& node,
                                           const Visit& visit) {

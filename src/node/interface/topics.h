@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Topics and services: name, type, and when a message is sent.
+// Topics and services: name, type, and when messages are sent or what the service does.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct TopicName {
   const char* when;
 };
 
-/// Without the ~, as a private NodeHandle expects it.
+/// The name without its ~, as a private NodeHandle expects it.
 inline std::string privateName(const TopicName& topic) {
   return topic.name + 1;
 }

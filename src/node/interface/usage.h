@@ -11,9 +11,9 @@
 
 namespace link_bounds {
 
-/// Topics, services and parameters, one per line, with the cells of the tables in the
-/// documentation. `visit_parameters` calls what it gets with each parameter, as visitParameters()
-/// does.
+/// Topics, services and parameters, one per line, with the same cells as the tables in the
+/// documentation. `visit_parameters` gets a visitor and calls it with each parameter, as
+/// visitParameters() does.
 template <class Topics, class Services, class VisitParameters>
 std::string interfaceTables(const Topics& topics, const Services& services,
                             const VisitParameters& visit_parameters) {
@@ -35,7 +35,7 @@ std::string interfaceTables(const Topics& topics, const Services& services,
   return text.str();
 }
 
-/// Of the publisher node.
+/// The text of --help of link_bounds_publisher.
 std::string usage();
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each call has its own client, because the clients that roscpp keeps belong to its threads.
+// Each call has its own client, because the clients in roscpp's cache belong to its threads.
 #include "node/interface/xmlrpc_call.h"
 
 #include <ros/master.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// XML-RPC calls with a timeout, which those of roscpp do not have.
+// XML-RPC calls with a timeout, because roscpp's calls have none.
 #pragma once
 
 #include <ros/duration.h>
@@ -19,7 +19,7 @@ struct XmlRpcServer {
 
 XmlRpcServer rosMaster();
 
-/// The form of all answers of the master and of nodes.
+/// An answer of the master or of a node: all have this form.
 struct XmlRpcAnswer {
   int status;
   XmlRpc::XmlRpcValue value;
@@ -27,8 +27,8 @@ struct XmlRpcAnswer {
   bool isSuccess() const { return status == 1; }
 };
 
-/// Nothing if there is no answer of this form within `timeout`, or if `is_cancelled`, which is
-/// called ten times a second, returns true.
+/// nullopt if there is no valid answer within `timeout`, or if `is_cancelled`, which is called
+/// about ten times a second, returns true.
 std::optional<XmlRpcAnswer> callXmlRpc(const XmlRpcServer& server, const std::string& method,
                                        const XmlRpc::XmlRpcValue& arguments,
                                        const std::function<bool()>& is_cancelled,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A thread for small meshes looks how large a mesh is, and passes large ones on.
+// Each request first goes to a thread for small meshes, which reads the size of the file and passes
+// large meshes on.
 #include "node/loading/mesh_readers.h"
 
 #include <algorithm>
@@ -10,10 +11,10 @@
 namespace link_bounds {
 namespace {
 
-/// A file of STL of this size has 335,000 triangles and takes about a second.
+/// An STL file of this size has 335,000 triangles and takes about a second to load.
 constexpr std::uint64_t kLargeBytes = 16 << 20;
 
-constexpr unsigned kMaxReaders = 4;  // of small meshes; each may hold one mesh while it is prepared
+constexpr unsigned kMaxReaders = 4;  // threads for small meshes; each holds at most one mesh
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads that load the meshes of objects and make trees: ~reload waits for none of them.
+// Threads that load the meshes of objects and make their trees of triangles. ~reload does not wait
+// for them.
 #pragma once
 
 #include <cstdint>
@@ -13,33 +14,35 @@
 
 namespace link_bounds {
 
-/// Several threads for small meshes, and one for all large ones: a small mesh waits for no large
-/// one. Each request is answered as soon as it is ready.
+/// Several threads for small meshes and one for all large ones, so a small mesh never waits for a
+/// large one. Each request is answered as soon as its result is ready.
 class MeshReaders {
  public:
-  /// True if nobody waits for the work any more: it has a successor, or the node ends.
+  /// True if the result is no longer needed: a newer job has the same key, or the node is shutting
+  /// down.
   using IsCancelled = std::function<bool()>;
 
   struct Job {
-    std::function<std::uint64_t()> bytes;  ///< of the file or list; called on a reader
-    /// Calls `is_cancelled` often, also before it answers. Keeps no mesh alive while it waits.
+    std::function<std::uint64_t()> bytes;  ///< size of the file or list; called on a reader thread
+    /// The work must ask `is_cancelled` often, and once more before it gives its result. While it
+    /// waits in the queue it must hold no reference to the mesh.
     std::function<void(const IsCancelled& is_cancelled)> work;
   };
 
   /// Throws std::runtime_error if a thread cannot be started.
   MeshReaders();
 
-  /// Both functions may be called on any thread. This one returns at once. A job replaces the one
-  /// of its key, also while that runs.
+  /// Returns at once. A new job replaces the job of the same key, also one that is running. Any
+  /// thread may call post() and stop().
   void post(const std::string& key, Job job);
 
-  /// Ends the threads; what waits is not done.
+  /// Ends the threads. Waiting jobs are dropped.
   void stop();
 
  private:
   Worker large_;
-  std::vector<std::unique_ptr<Worker>> small_;  ///< a key always goes to the same one; last: their
-                                                ///< work uses large_
+  std::vector<std::unique_ptr<Worker>> small_;  ///< a key always goes to the same thread; declared
+                                                ///< last because their work uses large_
 };
 
 }  // namespace link_bounds

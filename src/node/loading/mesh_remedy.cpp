@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Remedies that name parameters and the service.
+// Remedies that name a parameter or the service ~reload.
 #include "node/loading/mesh_remedy.h"
 
 namespace link_bounds {

@@ -9,7 +9,7 @@
 
 namespace link_bounds {
 
-/// plainRemedy(), except where a parameter or ~reload helps.
+/// Like plainRemedy(), but names a parameter or ~reload where one of them helps.
 std::string nodeRemedy(MeshFault fault);
 
 }  // namespace link_bounds

@@ -18,7 +18,8 @@
 namespace link_bounds {
 namespace {
 
-/// Packages that are installed later are found, too. Searching takes some 10 ms.
+/// The list of packages is searched again after this time, so that new packages are found. A search
+/// takes about 10 ms.
 constexpr std::chrono::seconds kPackagesAge(1);
 
 bool isExpired(const std::weak_ptr<const PointSet>& points) {
@@ -68,8 +69,8 @@ ModelLoader::Loading::Loaded ModelLoader::load(const std::string& urdf,
                      (model->left_out.empty() ? "" : "; " + logText(model->left_out))};
 }
 
-/// Looks at the files of the meshes of objects. On the loader thread, so that a model and what has
-/// changed are adopted together.
+/// The loaded meshes of objects whose files have not changed. Runs on the loader thread, so that
+/// the update thread adopts this result together with the model.
 ObjectSource::Points ModelLoader::unchangedMeshes() {
   ObjectSource::Points loaded;
   {
@@ -86,7 +87,7 @@ ObjectSource::Points ModelLoader::unchangedMeshes() {
   return unchanged;
 }
 
-/// On the update thread.
+/// Runs on the update thread.
 void ModelLoader::adopt(const ModelPtr& model) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -106,7 +107,7 @@ std::optional<MeshSource> ModelLoader::source(const MeshReaders::IsCancelled& is
   return MeshSource{packages_, "", nullptr, *limits_, is_cancelled};
 }
 
-/// 0 if there is no such file; loading it then says why.
+/// 0 if there is no such file; loading the mesh then reports the reason.
 std::uint64_t ModelLoader::fileBytes(const std::string& uri) {
   try {
     const auto source = this->source({});
@@ -143,7 +144,7 @@ void ModelLoader::requestTree(const TreeRequest& request) {
     const LoadedTree tree = robot_loader_.loadTrees({request.uri}, *source).front();
     if (!is_unwanted()) handlers_.on_tree(request, tree);
   };
-  std::ostringstream key;  // a file that was replaced may be in use with old points, too
+  std::ostringstream key;  // has the points: a replaced file may be in use with its old points
   key << "tree " << request.points.lock() << " " << request.uri;
   readers_.post(key.str(), {[this, uri = request.uri] { return fileBytes(uri); }, load});
 }

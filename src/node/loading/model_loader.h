@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads models; beside the loader thread, readers load the meshes of objects.
+// Loads models on the loader thread, and meshes of objects on reader threads.
 #pragma once
 
 #include <chrono>
@@ -19,8 +19,9 @@
 
 namespace link_bounds {
 
-/// All that may take long or fail runs on these threads. The update thread adopts a finished model.
-/// While there is no usable description but a fixed frame is set, the model has no robot.
+/// Everything that may take long or fail runs on these threads. The update thread adopts a finished
+/// model. While there is no usable robot_description but fixed_frame is set, the model has no
+/// robot.
 class ModelLoader {
  public:
   using ModelPtr = std::shared_ptr<const Model>;
@@ -28,14 +29,14 @@ class ModelLoader {
   /// The triangles of a mesh file whose points are in use.
   struct TreeRequest {
     std::string uri;
-    std::weak_ptr<const PointSet> points;  ///< once they are gone, nobody waits for the triangles
+    std::weak_ptr<const PointSet> points;  ///< once they are freed, nobody needs the triangles
   };
 
   struct Handlers {
-    std::function<void(ModelPtr)> adopt;  ///< as that of RobotLoading
-    /// On the update thread.
+    std::function<void(ModelPtr)> adopt;  ///< see RobotLoading::Handlers::adopt
+    /// Called on the update thread.
     std::function<void(const MeshRequest& request, const LoadedMesh& mesh)> on_mesh;
-    /// On a reader.
+    /// Called on a reader thread.
     std::function<void(const TreeRequest& request, const LoadedTree& tree)> on_tree;
   };
 
@@ -46,25 +47,25 @@ class ModelLoader {
   ModelLoader(const ModelLoader&) = delete;
   ModelLoader& operator=(const ModelLoader&) = delete;
 
-  /// Where nobody waits for the mesh any more, loading it ends without an answer.
-  /// This and the next two return at once and may be called on any thread.
-  /// Before the first model nothing is loaded: to adopt a model is to request all meshes again.
+  /// If nobody needs the mesh any more, loading ends without a result. requestMesh(), requestTree()
+  /// and request() return at once and may be called on any thread. Before the first model nothing
+  /// is loaded; the scene requests all meshes again when it adopts that model.
   void requestMesh(const MeshRequest& request);
   void requestTree(const TreeRequest& request);
   void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
 
-  /// As RobotLoader::loadTrees(), on the thread that calls; nothing before the first model.
+  /// Like RobotLoader::loadTrees(), on the calling thread. Empty before the first model.
   std::vector<LoadedTree> loadTrees(const std::vector<std::string>& uris,
                                     const MeshReaders::IsCancelled& is_cancelled);
 
-  /// Where meshes of objects are found, and what one may take, by the parameters in use. Nothing
-  /// before the first model.
+  /// Package paths and limits for the meshes of objects, by the parameters in use. nullopt before
+  /// the first model.
   std::optional<MeshSource> source(const MeshReaders::IsCancelled& is_cancelled);
 
   bool waitsForDescription() const { return loading_.waitsForDescription(); }
   std::string descriptionName() const { return loading_.descriptionName(); }
 
-  /// True if the first load failed for good; the node is then shutting down.
+  /// True if the first load failed permanently; the node is then shutting down.
   bool hasFailed() const { return loading_.hasFailed(); }
 
  private:
@@ -82,11 +83,11 @@ class ModelLoader {
   RobotLoader robot_loader_;
   std::mutex mutex_;
   std::optional<MeshLimits> limits_;             ///< guarded by mutex_
-  ObjectSource::Points object_meshes_;           ///< guarded by mutex_; those it has loaded
+  ObjectSource::Points object_meshes_;           ///< guarded by mutex_; the meshes that were loaded
   std::size_t max_object_meshes_ = kManyMeshes;  ///< guarded by mutex_
   PackagePath packages_;                         ///< guarded by mutex_
   std::chrono::steady_clock::time_point packages_since_;  ///< guarded by mutex_
-  MeshReaders readers_;  ///< this and the next one: after all that their threads use
+  MeshReaders readers_;  ///< readers_ and loading_ last: their threads use the other members
   Loading loading_;
 };
 

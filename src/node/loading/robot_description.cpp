@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// To a caller, a master that does not answer is a reason to wait, too.
+// If the ROS master does not answer, read() throws the same error as for a missing parameter: both
+// are reasons to wait.
 #include "node/loading/robot_description.h"
 
 #include <ros/console.h>
@@ -14,12 +15,12 @@ namespace {
 const ros::WallDuration kWarningPeriod(10.0);
 const std::string kName = "robot_description";
 
-/// That of a nodelet in the root is empty.
+/// The namespace of the node. roscpp returns "" for a nodelet in the root namespace.
 std::string namespaceOf(const ros::NodeHandle& node) {
   return node.getNamespace().empty() ? "/" : node.getNamespace();
 }
 
-/// `kName`, unless the node has a remapping that its process does not have.
+/// `kName`; or the remapped name, if the node has a remapping that its process does not have.
 std::string nameFor(const ros::NodeHandle& node) {
   const std::string remapped = node.resolveName(kName);
   return remapped == ros::names::resolve(namespaceOf(node), kName) ? kName : remapped;

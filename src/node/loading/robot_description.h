@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameter robot_description.
+// Reads the parameter robot_description.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -24,13 +24,13 @@ class NoDescription : public std::runtime_error {
 /// `server` must outlive this.
 class RobotDescription {
  public:
-  /// For the node of `node`, whose own remappings apply, too: a nodelet has some.
+  /// Applies the remappings of `node` as well: a nodelet has remappings of its own.
   RobotDescription(const ParameterServer& server, const ros::NodeHandle& node);
 
-  /// "robot_description"; if it is remapped, with the full name that it has then.
+  /// "robot_description", and if it is remapped, also its full name.
   std::string name() const;
 
-  /// Of any type. Throws NoDescription.
+  /// The value, of any type. Throws NoDescription.
   XmlRpc::XmlRpcValue read() const;
 
   /// Warns that the node waits for the parameter, at most once in ten seconds.
@@ -41,7 +41,7 @@ class RobotDescription {
   bool isRemapped() const;
 
   const ParameterServer& server_;
-  std::string ns_;    ///< of the node
+  std::string ns_;    ///< namespace of the node
   std::string name_;  ///< after the node's own remapping
   ros::SteadyTime last_warning_;
 };

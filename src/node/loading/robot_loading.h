@@ -30,7 +30,7 @@
 
 namespace link_bounds {
 
-/// The answer of a ~reload that succeeded: one line, with the first of its warnings.
+/// The response of a ~reload that succeeded: one line, with the first few warnings.
 inline std::string reloadedText(const std::vector<std::string>& warnings) {
   constexpr std::size_t kMaxAnsweredWarnings = 4;
   if (warnings.empty()) return "reloaded";
@@ -41,8 +41,9 @@ inline std::string reloadedText(const std::vector<std::string>& warnings) {
   return logText(text + (warnings.size() > kMaxAnsweredWarnings ? "; see the log for all" : ""));
 }
 
-/// Makes something immutable of a description and parameters. Until there is a robot, the thread
-/// polls for the description. `Made` has `problems` and `warnings`, which are logged.
+/// Makes an immutable object from a robot description and parameters. Until a robot has been
+/// loaded, the thread polls for the description. `Made` has lists `problems` and `warnings`, which
+/// are logged.
 template <class Made, class Parameters>
 class RobotLoading {
  public:
@@ -54,24 +55,24 @@ class RobotLoading {
   };
 
   struct Handlers {
-    /// At the start and for each ~reload.
+    /// Reads the parameters. Called at the start and for each ~reload.
     std::function<ReadParameters<Parameters>(const ParameterServer& server)> read;
     std::function<Loaded(const std::string& urdf, const Parameters& parameters,
                          const std::function<bool()>& is_stopping)>
         load;
-    /// What is used while there is no usable description; null if nothing is.
+    /// Makes the object that is used while there is no usable description; null if there is none.
     std::function<MadePtr(const Parameters& parameters)> load_nothing = [](auto&) {
       return nullptr;
     };
-    /// On the thread that serves the queue. What it throws becomes the answer of ~reload, and it is
-    /// called again with what was in use.
+    /// Called on the thread that serves the queue. If it throws, the error becomes the response of
+    /// ~reload, and `adopt` is called again with the object that was in use.
     std::function<void(MadePtr)> adopt;
-    /// The first load failed for good, which was logged.
+    /// Called if the first load failed permanently, after that was logged.
     std::function<void()> on_failure;
   };
 
-  /// All handlers but `adopt` run on the loader thread. Throws std::runtime_error if that cannot be
-  /// started.
+  /// All handlers except `adopt` run on the loader thread. Throws std::runtime_error if that thread
+  /// cannot be started.
   RobotLoading(const TopicName& reload, const ros::NodeHandle& node,
                const ros::NodeHandle& private_node, ros::CallbackQueueInterface& queue,
                Handlers handlers)
@@ -92,16 +93,16 @@ class RobotLoading {
   bool waitsForDescription() const { return waits_for_description_; }
   std::string descriptionName() const { return description_.name(); }
 
-  /// True if the first load failed for good.
+  /// True if the first load failed permanently.
   bool hasFailed() const { return has_failed_; }
 
-  /// Why nothing can be loaded; "" before that is known, and once something was loaded.
+  /// The reason why nothing can be loaded; "" before the first failure and after the first success.
   std::string failure() const {
     const std::lock_guard<std::mutex> lock(failure_mutex_);
     return failure_;
   }
 
-  /// For other work that takes long.
+  /// The loader thread, also for other work that takes long.
   Worker& worker() { return worker_; }
 
  private:
@@ -136,14 +137,14 @@ class RobotLoading {
     }
   }
 
-  /// Without a robot. False if that is not wanted.
+  /// Continues without a robot. False if the handlers do not support that.
   bool goOn() {
     const MadePtr nothing = handlers_.load_nothing(*parameters_);
     if (nothing) goes_on_ = hand_over_.give(nothing);
     return nothing != nullptr;
   }
 
-  /// Returns the warnings.
+  /// Returns the warnings, which were logged.
   std::vector<std::string> readParameters() {
     ReadParameters<Parameters> read = handlers_.read(server_);
     warn(read.warnings);
@@ -202,7 +203,7 @@ class RobotLoading {
     return true;
   }
 
-  /// Returns what was logged of the parameters and the robot.
+  /// Returns the warnings and problems that were logged for the parameters and the robot.
   std::vector<std::string> reload() {
     std::vector<std::string> lines = readParameters();
     try {
@@ -220,15 +221,15 @@ class RobotLoading {
   ParameterServer server_;
   RobotDescription description_;
   std::optional<Parameters> parameters_;
-  bool has_loaded_ = false;      ///< a robot
-  bool goes_on_ = false;         ///< without a robot
-  XmlRpc::XmlRpcValue refused_;  ///< a description that cannot be used, while it goes on
+  bool has_loaded_ = false;      ///< a robot has been loaded
+  bool goes_on_ = false;         ///< continues without a robot, until one is loaded
+  XmlRpc::XmlRpcValue refused_;  ///< unusable description, which firstLoad() does not retry
   std::atomic<bool> waits_for_description_{false};
   std::atomic<bool> has_failed_{false};
   mutable std::mutex failure_mutex_;
   std::string failure_;
   HandOver<Made> hand_over_;
-  Worker worker_;  ///< after all that its thread uses
+  Worker worker_;  ///< last: its thread uses the members above
   ros::ServiceServer reload_service_;
 };
 

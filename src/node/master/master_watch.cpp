@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::chrono::milliseconds kPeriod(1000);  // how late a new master is noticed
+constexpr std::chrono::milliseconds kPeriod(1000);  // max delay until a new master is noticed
 
 }  // namespace
 
@@ -45,12 +45,14 @@ void MasterWatch::poll() {
   senders_.beginTick(registration != Registration::kKnown);
   const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
   if (registration == Registration::kUnreachable) {
-    // A new one may know the node by what else the process registers, before it is asked.
+    // A restarted master may know the node's name before this thread asks, because the process has
+    // registered something else. So the node registers again in any case.
     must_register_ = true;
     return reportLost("it does not answer");
   }
   if (name_is_taken_) {
-    // The master ends the older node of a name. One that lives on a period later was not reached.
+    // The master shuts down the older node of a name. If this node still runs one period later,
+    // that call did not arrive.
     if (was_taken) reportNameTaken();
     return;
   }

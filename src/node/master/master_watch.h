@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A thread that keeps the node known to the ROS master, also to one that was restarted.
+// A thread that keeps the node registered with the ROS master, also after a restart of the master.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@
 namespace link_bounds {
 
 /// Asks the master once a second whether it knows the node. Existing connections work without a
-/// master. A restarted master does not know the node: then everything is registered again.
-/// Has its own thread, because a call to a master that is gone may take seconds to fail.
+/// master. A restarted master does not know the node; then everything is registered again. Has its
+/// own thread, because a call to a dead master may take seconds to fail.
 class MasterWatch {
  public:
-  /// `topic`, by its full name, is that of which hasLeft() speaks.
+  /// `topic` is the full name of the topic for hasLeft().
   explicit MasterWatch(std::string topic = "");
   MasterWatch(const MasterWatch&) = delete;
   MasterWatch& operator=(const MasterWatch&) = delete;
 
-  /// As Senders::ask() says. From any thread.
+  /// See Senders::ask(). May be called on any thread.
   bool hasLeft(const std::string& node);
 
  private:
@@ -31,11 +31,11 @@ class MasterWatch {
   void reportBack();
 
   bool is_lost_ = false;
-  bool is_name_told_ = false;  ///< that another node has the name, since it was lost
+  bool is_name_told_ = false;  ///< reportNameTaken() has logged, since the node was last registered
   bool name_is_taken_ = false;
   bool must_register_ = false;
   Senders senders_;
-  Worker worker_;  ///< last: its thread ends before the rest goes
+  Worker worker_;  ///< last: its thread ends before the other members are destroyed
 };
 
 }  // namespace link_bounds

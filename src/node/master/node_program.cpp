@@ -39,7 +39,7 @@ void checkMasterUri(int argc, char** argv) {
   if (!is_set) return;
   std::string host;
   std::uint32_t port = 0;
-  // By roscpp's own parser.
+  // splitURI() is roscpp's own parser.
   if (ros::network::splitURI(uri, host, port) && port > 0 && port <= 65535) return;
   throw std::runtime_error(name + " is \"" + uri + "\"; it must be http://HOST:PORT");
 }
@@ -48,7 +48,7 @@ void endOnSignals() {
   for (const int number : {SIGINT, SIGTERM}) {
     std::signal(number, [](int) {
       ros::requestShutdown();
-      static std::atomic<bool> is_set = false;  // two threads may have a signal each
+      static std::atomic<bool> is_set = false;  // two threads may handle a signal at the same time
       if (!is_set.exchange(true)) alarm(10);
     });
   }
@@ -72,15 +72,15 @@ int run(int argc, char** argv, const NodeProgram& program) {
 }  // namespace
 
 int runNode(int argc, char** argv, const NodeProgram& program) {
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
-  std::signal(SIGXFSZ, SIG_IGN);             // writing beyond `ulimit -f` is an error then
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // by lines: a pipe also gets log lines at once
+  std::signal(SIGXFSZ, SIG_IGN);             // a write beyond `ulimit -f` then only fails
   try {
     return run(argc, argv, program);
   } catch (const std::bad_alloc&) {
     std::cerr << "[FATAL] out of memory; raise the limit of memory (ulimit -v)" << std::endl;
     return 1;
   } catch (const std::exception& error) {
-    // ROS's log may have ended already.
+    // The log of ROS may have been shut down already.
     std::cerr << "[FATAL] " << logText(error.what()) << std::endl;
     return 1;
   }

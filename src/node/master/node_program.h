@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that is one node.
+// The main program of a node.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,16 @@
 namespace link_bounds {
 
 struct NodeProgram {
-  std::string name;                    ///< of the program, and of the node unless it is remapped
+  std::string name;                    ///< name of the program and default name of the node
   std::string version;                 ///< for --version
   std::function<std::string()> usage;  ///< for --help
   NodeTables tables;
   std::function<int()> spin;  ///< makes the node, spins it, and gives the exit code
 };
 
-/// To be called by main(). What it throws is logged, as one line, and 1 is returned. SIGINT and
-/// SIGTERM end the node in order. Where that takes longer than 10 s, as roscpp waits for a master
-/// that does not answer, SIGALRM ends the process.
+/// Call from main(). An exception is printed as one line, and the exit code is 1. SIGINT and
+/// SIGTERM shut the node down cleanly. If that takes longer than 10 s, for example because roscpp
+/// waits for a master that does not answer, SIGALRM ends the process.
 int runNode(int argc, char** argv, const NodeProgram& program);
 
 }  // namespace link_bounds

@@ -17,7 +17,7 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-/// roscpp does not list the services of a node; these are all that this node has.
+/// All services of this node; roscpp has no function that lists them.
 constexpr std::array<const char*, 5> kOwnServices{{kReloadService.name, kGetBoxesService.name,
                                                    kCheckPathService.name, "~get_loggers",
                                                    "~set_logger_level"}};
@@ -41,7 +41,7 @@ XmlRpcValue arguments(const Values&... values) {
   return result;
 }
 
-/// The value of the answer; nothing if there is none or the call failed.
+/// The value of the answer; nullopt if there is no answer or the call failed.
 std::optional<XmlRpcValue> request(const XmlRpcCall& call, const std::string& method,
                                    const XmlRpcValue& arguments) {
   auto answer = call(method, arguments);

@@ -16,22 +16,23 @@ namespace link_bounds {
 
 enum class Registration { kUnreachable, kUnknown, kKnown, kNameTaken };
 
-/// Calls a method of one server. Nothing if there is no answer.
+/// Calls a method of one server. nullopt if there is no answer.
 using XmlRpcCall = std::function<std::optional<XmlRpcAnswer>(const std::string& method,
                                                              const XmlRpc::XmlRpcValue& arguments)>;
 
 /// kNameTaken: another node has registered under the name of this one.
 Registration queryRegistration(const XmlRpcCall& master);
 
-/// The nodes that publish the topic; nothing if the master does not answer.
+/// The nodes that publish the topic; nullopt if the master does not answer.
 std::optional<std::set<std::string>> publishersOf(const XmlRpcCall& master,
                                                   const std::string& topic);
 
-/// "" if the master knows no such node; nothing if it does not answer.
+/// The XML-RPC address of a node. "" if the master does not know the node; nullopt if the master
+/// does not answer.
 std::optional<std::string> addressOf(const XmlRpcCall& master, const std::string& node);
 
-/// Registers all publishers, subscribers and services of this node; no connection is lost. `node`
-/// calls this node itself, which lists its topics. False if a call fails.
+/// Registers all publishers, subscribers and services of this node again; no connection is lost.
+/// `node` calls this node itself, which lists its topics. False if a call fails.
 bool registerAgain(const XmlRpcCall& master, const XmlRpcCall& node);
 
 }  // namespace link_bounds

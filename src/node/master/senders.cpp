@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A sender is forgotten in beginTick() only.
+// Only beginTick() removes a sender.
 #include "node/master/senders.h"
 
 #include <iterator>
@@ -9,7 +9,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kForgotten = 10;  // ticks without a question about a node, more than an update takes
+constexpr int kForgotten = 10;  // ticks without ask() until removal; longer than an update takes
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void Senders::beginTick(bool is_master_lost) {
 }
 
 void Senders::look(const XmlRpcCall& master) {
-  std::map<std::string, Sender> senders;  // a call may take long
+  std::map<std::string, Sender> senders;  // a copy, because a call may take long
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     senders = senders_;

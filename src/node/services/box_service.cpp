@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a request to what is computed of it, and back to messages.
+// Converts requests, runs the computation, and converts the result to messages.
 #include "node/services/box_service.h"
 
 #include <stdexcept>
@@ -21,20 +21,21 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::hours kNoPause(1000);
 
-/// No further span is begun while the copies for those begun take so much. The largest copy, of 200
-/// edges at 1 kHz, takes 140 MB.
+/// No further span is started while the scene copies of the started requests take this many bytes.
+/// The largest copy, of 200 edges at 1 kHz, takes 140 MB.
 constexpr std::size_t kMaxCopiedBytes = 32 << 20;
 
-/// Reads the beginning of a request, without its names, which may be many.
+/// True if the request asks for a span. Reads only the beginning of the request, because it may
+/// have many names.
 bool hasSpan(const ros::SerializedMessage& request) {
-  constexpr std::size_t kBeginning = 16;  // bytes of stamp and span
+  constexpr std::size_t kBeginning = 16;  // bytes: stamp and span
   if (request.num_bytes < kBeginning) return false;
   ros::serialization::IStream stream(request.message_start,
                                      static_cast<std::uint32_t>(request.num_bytes));
   GetBoxes::Request message;
   stream.next(message.stamp);
   stream.next(message.span);
-  return message.span.toNSec() > 0;  // > looks at the seconds alone, of numbers that do not fit
+  return message.span.toNSec() > 0;  // ros::Duration's > is wrong for nanoseconds < 0 or >= 1e9
 }
 
 BoxRequest toRequest(GetBoxes::Request& message) {
@@ -63,7 +64,7 @@ std::string messageOf(const PastBoxes& boxes) {
 
 }  // namespace
 
-/// What was computed until the next turn.
+/// The state of a request between two turns.
 struct BoxService::Job {
   Job(BoxRequest box_request, std::unique_ptr<PastScene> copy, std::atomic<std::size_t>& bytes)
       : request(std::move(box_request)),
@@ -89,14 +90,15 @@ BoxService::BoxService(ros::NodeHandle& private_node, const SceneCopier& scenes)
       queue_(moments_, spans_),
       service_(private_node, kGetBoxesService, queue_, [this](auto&... all) { answer(all...); }) {}
 
-/// A request may wait for the update thread, which calls this.
+/// Stops the workers before the service is destroyed. The service waits for a running request,
+/// which may wait for the update thread, and that thread runs this destructor.
 BoxService::~BoxService() {
   moments_.stop();
   spans_.stop();
 }
 
-/// Throws why there is no answer, or NextTurn. A span that is computed is answered on the thread
-/// for requests at one time, which is not nice.
+/// Throws NextTurn, or an error with the reason why there is no answer. The answer to a finished
+/// span is sent by moments_, whose thread has normal priority.
 void BoxService::answer(Call& call, const Params& params, GetBoxes::Response& response) {
   if (call.isNew() && hasSpan(params.request)) {
     call.is_long = true;
@@ -118,7 +120,8 @@ void BoxService::answer(Call& call, const Params& params, GetBoxes::Response& re
   response.success = true;
 }
 
-/// Throws why there is no answer, or NextTurn while there is no room for another span.
+/// Throws an error with the reason why there is no answer, or NextTurn while there is no memory for
+/// another span.
 std::shared_ptr<BoxService::Job> BoxService::begin(Worker& worker, const Call& call,
                                                    const Params& params) {
   const auto deadline = call.arrival + kDeadline;

@@ -21,7 +21,8 @@ class BoxService {
   BoxService(const BoxService&) = delete;
   BoxService& operator=(const BoxService&) = delete;
 
-  /// Its thread is not nice, and always ready soon.
+  /// The worker for requests at one time. Its thread has normal priority and is never busy for
+  /// long.
   Worker& answering() { return moments_; }
 
  private:
@@ -33,7 +34,7 @@ class BoxService {
   std::shared_ptr<Job> begin(Worker& worker, const Call& call, const Params& params);
 
   const SceneCopier& scenes_;
-  std::atomic<std::size_t> copied_bytes_{0};  ///< of the spans that were begun
+  std::atomic<std::size_t> copied_bytes_{0};  ///< bytes of the scene copies of all started requests
   Worker moments_;
   Worker spans_;
   TurnQueue queue_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a request to proofs about its segments, and back to a message.
+// Converts requests, runs the proofs about their segments, and converts the result to a message.
 #include "node/services/path_service.h"
 
 #include <cmath>
@@ -16,29 +16,30 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of the deadline, loading triangles may take so much.
+/// The part of the deadline that loading triangles may take.
 constexpr std::chrono::seconds kLoading(7);
 
-/// A pair of meshes may take 80 KiB while it is examined.
+/// Max pairs of bodies of one request. A pair of meshes may take 80 KiB while it is examined.
 constexpr std::size_t kMaxPairs = 10'000;
 constexpr std::size_t kMaxBegun = 3;
 
-/// An hour at 5 Hz. A point of a robot with 50 joints takes 1.2 KB.
+/// Max points of a trajectory: more than an hour at 5 Hz. A point of a robot with 50 joints takes
+/// 1.2 KB.
 constexpr std::size_t kMaxPoints = 20'000;
 
-/// Triangles are kept for so long, and it is looked at so often.
+/// Triangles are freed kKeep after their last use; kForgetEvery is the period of that check.
 constexpr std::chrono::seconds kKeep(10);
 constexpr std::chrono::milliseconds kForgetEvery(500);
 
 }  // namespace
 
-/// What was proven until the next turn.
+/// The state of a request between two turns.
 struct PathService::Job {
   Job(std::unique_ptr<PastScene> copy, CheckPath::Request& request, const PathTrees& trees,
       const PathLimits& limits)
       : scene(std::move(copy)), check(*scene, request, trees, limits) {}
 
-  std::string problem;  ///< of its trees; those of another job may come before this one ends
+  std::string problem;  ///< why triangles are missing; a copy, as trees_ serves other jobs
   std::unique_ptr<PastScene> scene;
   PathCheck check;
 };
@@ -57,7 +58,8 @@ bool PathService::forgetIfUnused() {
   return false;
 }
 
-/// Throws why there is no answer, or NextTurn. The answer is sent by the thread that is not nice.
+/// Throws NextTurn, or an error with the reason why there is no answer. The answer is sent by the
+/// worker `answering`, whose thread has normal priority.
 void PathService::answer(Call& call, const Params& params, CheckPath::Response& response) {
   if (call.isNew()) {
     call.is_long = true;
@@ -83,7 +85,7 @@ void PathService::answer(Call& call, const Params& params, CheckPath::Response& 
   throw TurnQueue::NextTurn();
 }
 
-/// Throws if the request is too large, or announces more than there is.
+/// Throws if the request is too large or incomplete, or if its clearance is not a valid number.
 Received<CheckPath::Request> PathService::read(const Params& params) {
   Received<CheckPath::Request> request = service_.read(params, "send the trajectory in pieces");
   if (request.trajectory.points.size() > kMaxPoints)
@@ -97,7 +99,8 @@ Received<CheckPath::Request> PathService::read(const Params& params) {
   return request;
 }
 
-/// Throws why there is no answer, or NextTurn while there is no room for another request.
+/// Throws an error with the reason why there is no answer, or NextTurn while kMaxBegun requests are
+/// in progress.
 std::shared_ptr<PathService::Job> PathService::begin(const Call& call, const Params& params) {
   const auto deadline = call.arrival + kDeadline;
   if (Clock::now() >= deadline) throw std::runtime_error(kTooBusy);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Answers ~check_path: requests take turns on a thread of their own.
+// Answers ~check_path. Requests take turns on a thread of this service.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -17,15 +17,15 @@ namespace link_bounds {
 
 class PathService {
  public:
-  /// `scenes` and `answering` must outlive this. Answers are sent by `answering`, whose thread is
-  /// not nice. `load` is called on the thread of this.
+  /// `scenes` and `answering` must outlive this. `answering` sends the answers; its thread has
+  /// normal priority. `load` is called on the thread of this service.
   PathService(ros::NodeHandle& private_node, const SceneCopier& scenes, Worker& answering,
               PathTrees::Load load);
   ~PathService() { stop(); }
   PathService(const PathService&) = delete;
   PathService& operator=(const PathService&) = delete;
 
-  /// Ends the thread. Requests that come later are not answered.
+  /// Ends the thread. Later requests are not answered.
   void stop() { paths_.stop(); }
 
  private:
@@ -40,9 +40,9 @@ class PathService {
   bool forgetIfUnused();
 
   const SceneCopier& scenes_;
-  PathTrees trees_;  ///< this and the next one: of the thread alone
+  PathTrees trees_;  ///< trees_ and last_used_ are accessed only by the thread
   Time last_used_;
-  std::atomic<std::size_t> begun_{0};  ///< jobs
+  std::atomic<std::size_t> begun_{0};  ///< number of jobs in progress
   Worker paths_;
   TurnQueue queue_;
   TurnService<CheckPath> service_;

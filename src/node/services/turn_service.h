@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A service whose requests take turns, see TurnQueue: how large they may be, how long answers may
-// take, and what is said if one is refused.
+// A service whose requests take turns, see TurnQueue. Defines the max size of a request, the
+// deadline of an answer, and the error messages.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -22,14 +22,15 @@
 
 namespace link_bounds {
 
-/// From the arrival of a request.
+/// The max time from the arrival of a request to its answer.
 constexpr std::chrono::seconds kDeadline(10);
 
-/// A request that takes longer makes way for the next one after so long. A turn of roscpp costs
-/// some microseconds.
+/// A request that takes longer than this gives way to the next one. A turn costs roscpp some
+/// microseconds.
 constexpr std::chrono::milliseconds kLongestTurn(5);
 
-/// As sent. In memory a request takes several times its bytes, because each name is a string.
+/// The max serialised size. In memory a request takes several times its bytes, because each name is
+/// a string.
 constexpr std::size_t kMaxRequestBytes = 32 << 20;
 
 constexpr const char* kStopping = "the node is shutting down";
@@ -43,7 +44,8 @@ class TurnService {
   using Request = typename Service::Request;
   using Params = ros::ServiceCallbackHelperCallParams;
   using Response = typename Service::Response;
-  /// Throws why there is no answer, or NextTurn. Called on the workers of the queue.
+  /// Throws NextTurn, or an error with the reason why there is no answer. Called on the workers of
+  /// the queue.
   using Answer = std::function<void(TurnQueue::Call&, const Params&, Response&)>;
 
   /// `name` and `queue` must outlive this.
@@ -56,8 +58,8 @@ class TurnService {
     server_ = private_node.advertiseService(options);
   }
 
-  /// The request. Throws why it is not read: if it is too large, with that remedy, or announces
-  /// more than it has.
+  /// Deserialises the request. Throws if it is too large, with `remedy` in the message, or
+  /// incomplete.
   Received<Request> read(const Params& params, const std::string& remedy) {
     if (params.request.num_bytes > kMaxRequestBytes)
       throw std::runtime_error("the request has " + std::to_string(params.request.num_bytes) +
@@ -74,7 +76,7 @@ class TurnService {
   }
 
  private:
-  /// The request is read when its turn comes.
+  /// Does not deserialise the request; `answer` does that when the turn of the request comes.
   class Handler : public ros::ServiceCallbackHelper {
    public:
     Handler(TurnQueue& queue, Answer answer) : queue_(queue), answer_(std::move(answer)) {}

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions that a thread calls now and then, or at a time, between the callbacks of its queue.
+// Functions that a thread calls periodically, or at a set time, between the callbacks of its queue.
 //
-// Timers of roscpp wake up a thread of their own, and that one the thread of the callbacks: with
-// them an idle node of 50 links took 1.1 ms of processor time more per second, in each of four
-// pairs of runs (`scripts/bench end-to-end` prints what an idle node takes).
+// A timer of roscpp wakes up roscpp's timer thread, which then wakes up the thread of the
+// callbacks. With timers an idle node of 50 links took 1.1 ms more processor time per second, in
+// each of four pairs of runs (`scripts/bench end-to-end` prints the time of an idle node).
 #pragma once
 
 #include <ros/time.h>
@@ -25,29 +25,31 @@ class Periodic {
     due_.push_back({ros::SteadyTime::now() + period, period, std::move(function)});
   }
 
-  /// A function that is called once, whenever a time has been set.
+  /// A function that is called once each time a time is set.
   using Alarm = std::size_t;
   Alarm addAlarm(std::function<void()> function) {
     due_.push_back({std::nullopt, std::nullopt, std::move(function)});
     return due_.size() - 1;
   }
 
-  /// Replaces the time that was set; nothing: it is not called.
+  /// Replaces the time of the alarm; nullopt switches the alarm off.
   void setAlarm(Alarm alarm, std::optional<ros::SteadyTime> time) { due_[alarm].next = time; }
 
-  /// Calls what is due. What is late is called once. The functions may set alarms.
+  /// Calls each function that is due, once even if several periods have passed. The functions may
+  /// set alarms.
   void callDue() {
     const ros::SteadyTime now = ros::SteadyTime::now();
     for (Entry& entry : due_) {
       if (!entry.next || *entry.next > now) continue;
       entry.next.reset();
       entry.function();
-      // From now on, or a function that takes longer than its period would always be due.
+      // Counts from now, because otherwise a function that takes longer than its period would
+      // always be due.
       if (entry.period) entry.next = ros::SteadyTime::now() + *entry.period;
     }
   }
 
-  /// How long nothing is due; a day if nothing ever is.
+  /// The time until the next function is due; at most a day.
   std::chrono::nanoseconds rest() const {
     std::chrono::nanoseconds rest = std::chrono::hours(24);
     const ros::SteadyTime now = ros::SteadyTime::now();
@@ -59,7 +61,7 @@ class Periodic {
  private:
   struct Entry {
     std::optional<ros::SteadyTime> next;
-    std::optional<ros::WallDuration> period;  ///< none: an alarm
+    std::optional<ros::WallDuration> period;  ///< nullopt for an alarm
     std::function<void()> function;
   };
 

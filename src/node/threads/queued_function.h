@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions in a callback queue, whose exceptions are logged, and what else is called from it.
+// Puts functions into a callback queue. Exceptions that they throw are logged.
 #pragma once
 
 #include <ros/callback_queue_interface.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// No callback is called or freed under the lock.
+// Callbacks are called and freed without the lock.
 #include "node/threads/timed_queue.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool TimedQueue::takeOne(Entry& entry) {
   return true;
 }
 
-/// One that asks to be called again goes to the end.
+/// A callback that returned TryAgain goes to the end of the queue.
 void TimedQueue::endCall(Entry entry) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -66,7 +66,7 @@ void TimedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uin
 }
 
 void TimedQueue::removeByID(std::uint64_t owner) {
-  std::deque<Entry> removed;  // is freed without the lock
+  std::deque<Entry> removed;  // freed after the lock is released
   std::unique_lock<std::mutex> lock(mutex_);
   const auto stays = [owner](const Entry& entry) { return entry.owner != owner; };
   const auto first = std::stable_partition(entries_.begin(), entries_.end(), stays);

@@ -12,7 +12,7 @@ thread_local TurnQueue::Call* current_call = nullptr;
 
 }  // namespace
 
-/// Wraps roscpp's callback of a call.
+/// Wraps the callback that roscpp makes for a service call, and holds the state of the call.
 class TurnQueue::Turn : public ros::CallbackInterface, public boost::enable_shared_from_this<Turn> {
  public:
   Turn(ros::CallbackInterfacePtr callback, std::uint64_t owner, TurnQueue& queue)
@@ -48,8 +48,8 @@ void TurnQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint
   short_.addCallback(boost::make_shared<Turn>(callback, owner, *this), owner);
 }
 
-/// A call goes to the worker for long calls once and comes back once. So none escapes: what changes
-/// the worker while one line waits for it is found by the next one.
+/// A call moves to long_ once and back to short_ once. So these three steps catch every call: a
+/// call that moves during one step is found by the next.
 void TurnQueue::removeByID(std::uint64_t owner) {
   short_.removeByID(owner);
   long_.removeByID(owner);

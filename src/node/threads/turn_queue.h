@@ -15,39 +15,39 @@
 
 namespace link_bounds {
 
-/// The callback queue of a service. A call begins on the worker for short calls. Where its handler
-/// throws NextTurn, it is called again, after the others that wait there, on the worker that
-/// `is_long` of the call says then; and so on. Before each turn roscpp looks whether the client is
-/// still there, and drops the call if it is gone.
+/// The callback queue of a service. A call begins on the worker for short calls. If its handler
+/// throws NextTurn, the handler is called again later: on the worker that `is_long` of the call
+/// then selects, after the other calls that wait there. Before each turn roscpp checks whether the
+/// client is still connected, and drops the call if not.
 ///
-/// roscpp sends an answer on the thread of the last turn, and holds a lock for which the thread of
-/// its sockets waits. So a call that was long should end on the worker for short calls, if the
-/// other one has a lower priority.
+/// roscpp sends the answer on the thread of the last turn, and meanwhile holds a lock that the
+/// thread of its sockets needs. So a long call should end on the worker for short calls, if the
+/// worker for long calls has a lower priority.
 class TurnQueue : public ros::CallbackQueueInterface {
  public:
-  /// No std::exception, of which roscpp would make an answer.
+  /// Not derived from std::exception, which roscpp would turn into an answer.
   struct NextTurn {};
 
   /// One call, from its arrival to its answer.
   struct Call {
     std::chrono::steady_clock::time_point arrival;
-    bool is_long = false;         ///< its next turn is on the worker for long calls
-    std::shared_ptr<void> state;  ///< what the handler keeps; is freed after the answer was sent
-    std::exception_ptr error;     ///< that answer() caught on the worker for long calls
+    bool is_long = false;         ///< the next turn is on the worker for long calls
+    std::shared_ptr<void> state;  ///< state of the handler; freed after the answer was sent
+    std::exception_ptr error;     ///< caught by answer() on the worker for long calls
 
-    /// Whether this is its first turn.
+    /// True in the first turn.
     bool isNew() const { return !is_long && !state && !error; }
   };
 
-  /// Both workers must live longer.
+  /// Both workers must outlive this.
   TurnQueue(Worker& short_calls, Worker& long_calls) : short_(short_calls), long_(long_calls) {}
 
-  /// The call that runs on the calling thread. There must be one.
+  /// The call whose turn runs on the calling thread. There must be one.
   static Call& current();
 
-  /// For handlers: calls `make`, which throws NextTurn, or why there is no answer. Throws that
-  /// reason on the worker for short calls, to be sent from there: in a further turn if the call is
-  /// long. If that worker is stopping, throws it at once.
+  /// For handlers: calls `make`, which throws NextTurn, or an error if there is no answer. The
+  /// error must be sent from the worker for short calls. So the error of a long call is kept and
+  /// thrown in one more turn there. If that worker is stopping, the error is thrown at once.
   template <class Make>
   void answer(Call& call, Make&& make) {
     if (call.error) std::rethrow_exception(call.error);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lock is held for moments only: nothing is computed, called or freed under it.
+// The lock is held only briefly: no computation, call or deallocation happens under it.
 #include "node/threads/worker.h"
 
 #include <ros/init.h>
@@ -28,16 +28,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPoll(20);  // how late await() notices a shutdown
+constexpr std::chrono::milliseconds kPoll(20);  // max delay until await() notices a shutdown
 
-/// What another thread is waited for is mostly there before a sleeping thread would wake up:
-/// without this a request of ~get_boxes for 50 links takes 1.2 times as long (`scripts/bench
-/// get-boxes`).
+/// await() first polls for this time without sleeping. The other thread is mostly done before a
+/// sleeping thread would wake up: without this, a request of ~get_boxes for 50 links takes 1.2
+/// times as long (`scripts/bench get-boxes`).
 constexpr std::chrono::microseconds kAwake(200);
 
-/// What was posted follows from boxes that were published just now, and the threads that pass these
-/// on need the processors: the 99th percentile of the boxes' age was 1.9 times as high with all
-/// topics of what is ahead heard, and with this 1.0 times (`scripts/bench overload --stopping`).
+/// An idle nice worker waits this long before it begins posted work. The work follows from boxes
+/// that were just published, and the threads that send them need the processors. With subscribers
+/// on all topics about future motion, the 99th percentile of the age of the boxes was 1.9 times as
+/// high without this wait, and 1.0 times with it (`scripts/bench overload --stopping`).
 constexpr std::chrono::milliseconds kHeadStart(1);
 
 /// Throws std::runtime_error with the name of the thread and a remedy.
@@ -50,11 +51,11 @@ std::thread startThread(const std::string& name, const std::function<void()>& bo
   }
 }
 
-/// What await() shares with the other thread.
+/// Shared by await() and the thread that calls the piece.
 struct Awaited {
-  std::mutex mutex;  ///< held while the piece is called
+  std::mutex mutex;  ///< held while `piece` is called
   std::condition_variable ready;
-  std::function<bool()> piece;  ///< guarded by mutex; none any more if the worker has gone on
+  std::function<bool()> piece;  ///< guarded by mutex; empty after await() has returned
   std::exception_ptr error;     ///< guarded by mutex
   std::atomic<bool> is_done{false};
 };
@@ -91,9 +92,9 @@ struct Worker::Urgent {
 };
 
 struct Worker::Inbox {
-  mutable std::mutex mutex;  ///< of everything below
+  mutable std::mutex mutex;  ///< guards all members below
   std::condition_variable wake;
-  std::condition_variable rest;  ///< an urgent work was done
+  std::condition_variable rest;  ///< notified when urgent work was done
   std::deque<Urgent> urgent;
   std::list<Posted> posted;
   std::unordered_map<std::string, std::list<Posted>::iterator> by_key;
@@ -101,13 +102,13 @@ struct Worker::Inbox {
   std::thread::id thread;
   std::string running_key;
   Clock::time_point running_since;
-  Clock::duration longest{0};  ///< of posted work that is done
+  Clock::duration longest{0};  ///< since the last takeLongest(), of completed posted work
   std::uint64_t running_owner = 0;
   bool is_urgent_running = false;
-  bool is_urgent_removed = false;  ///< the one that runs
+  bool is_urgent_removed = false;  ///< removeByID() was called for the urgent work that runs
 
-  // Changed under the mutex, but read without it: work that takes long asks all the time, and may
-  // be interrupted while it would hold the mutex for which the update thread waits.
+  // Changed under the mutex, but read without it. Long work reads these flags often; if it were
+  // preempted while it holds the mutex, the update thread would have to wait.
   std::atomic<bool> is_stopped{false};
   std::atomic<bool> is_running_cancelled{false};
 
@@ -121,7 +122,7 @@ struct Worker::Inbox {
   }
 };
 
-/// What the thread does next: all that is to be freed, and one work.
+/// The next actions of the thread: objects to free, and one piece of work.
 struct Worker::Next {
   std::vector<std::shared_ptr<const void>> discarded;
   Urgent urgent{nullptr, 0};
@@ -140,7 +141,7 @@ void Worker::post(const std::string& key, Work work) {
     const auto found = inbox_->by_key.find(key);
     if (inbox_->running_key == key) inbox_->is_running_cancelled = true;
     if (found != inbox_->by_key.end()) {
-      std::swap(found->second->work, work);  // the older one is freed without the lock
+      std::swap(found->second->work, work);  // the old work is freed without the lock
     } else {
       inbox_->posted.push_back({key, std::move(work), Clock::now()});
       inbox_->by_key[key] = std::prev(inbox_->posted.end());
@@ -171,7 +172,7 @@ bool Worker::isCancelled() const {
   return isStopping() || inbox_->is_running_cancelled;
 }
 
-/// While roscpp shuts down, ros::ok() is still true, and it waits for services that work.
+/// ros::ok() stays true during a shutdown, while roscpp waits for running service calls.
 bool Worker::isStopping() const {
   if (ros::isInitialized() && (ros::isShuttingDown() || !ros::ok())) return true;
   return inbox_->is_stopped;
@@ -265,7 +266,7 @@ void Worker::run() {
   }
 }
 
-/// Waits; empty if nothing came for a tick.
+/// Waits for work. Empty if none came within a tick period.
 Worker::Next Worker::next() {
   Next todo;
   std::unique_lock<std::mutex> lock(inbox_->mutex);
@@ -300,7 +301,7 @@ Worker::Next Worker::next() {
   return todo;
 }
 
-/// To the threads that go first, unless something else is urgent.
+/// Waits for kHeadStart, unless urgent work comes or the worker is stopped.
 void Worker::giveHeadStart(std::unique_lock<std::mutex>& lock) {
   inbox_->wake.wait_for(lock, kHeadStart,
                         [this] { return inbox_->is_stopped || !inbox_->urgent.empty(); });

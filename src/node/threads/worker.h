@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A thread with an inbox: the one way to give work to another thread.
+// A thread with an inbox. All work for other threads of the node goes through this class.
 #pragma once
 
 #include <ros/callback_queue_interface.h>
@@ -16,19 +16,19 @@
 
 namespace link_bounds {
 
-/// Urgent work goes first: callbacks of roscpp, such as calls of a service whose NodeHandle has
-/// this worker as its queue. Then comes what was posted, in order. Work that throws is logged.
+/// Urgent work goes first: callbacks of roscpp, such as service calls whose NodeHandle has this
+/// worker as its queue. Then comes posted work, in order. Exceptions of work are logged.
 class Worker : public ros::CallbackQueueInterface {
  public:
   using Work = std::function<void()>;
 
   struct Options {
-    std::string name;  ///< of the thread, for the error if it cannot be started
-    /// A nice thread gives way to others where cores are scarce. If it was idle, it waits 1 ms
-    /// before it begins with what is posted.
+    std::string name;  ///< name of the thread, for the error if it cannot be started
+    /// A nice thread gives way to other threads when cores are scarce. If it was idle, it waits 1
+    /// ms before it begins posted work.
     bool is_nice = false;
-    /// Called on the thread at its start, after all that waits was done, and then every
-    /// `tick_period` while it returns true or throws.
+    /// Called on the thread whenever no work is waiting, also at the start. Called again every
+    /// `tick_period` for as long as it returns true or throws.
     std::function<bool()> on_tick = [] { return false; };
     std::chrono::milliseconds tick_period{50};
   };
@@ -39,35 +39,36 @@ class Worker : public ros::CallbackQueueInterface {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  // All functions may be called on any thread and, unless they say so, return at once.
+  // All functions may be called on any thread and return at once, unless stated otherwise.
 
-  /// Work that waits under the same key is replaced, in its place. A worker that is stopped takes
-  /// none.
+  /// Replaces work that waits under the same key, and keeps its place. A stopped worker ignores the
+  /// call.
   void post(const std::string& key, Work work);
 
-  /// How long the work that took longest since the last call took from its post() to its end, also
-  /// of what runs or waits now. Work that replaced other work has waited since that was posted.
+  /// The longest time from post() to the end of the work since the last call, including work that
+  /// still runs or waits. For work that replaced other work, the time counts from the first post().
   std::chrono::nanoseconds takeLongest();
 
-  /// Forgets the work that waits under the key, and tells the one that runs: see isCancelled().
+  /// Drops the work that waits under the key, and cancels running work of that key: see
+  /// isCancelled().
   void cancel(const std::string& key);
 
-  /// For work that takes long: true if the worker stops, or if the work that runs was cancelled or
-  /// has a successor under its key. Takes no lock, and neither does isStopping().
+  /// For work that takes long: true if the worker stops, or if the running work was cancelled or
+  /// replaced under its key. Takes no lock, and neither does isStopping().
   bool isCancelled() const;
 
-  /// True from stop() on, and while roscpp shuts down.
+  /// True after stop(), and while roscpp shuts down.
   bool isStopping() const;
 
-  /// On the worker's thread: has `piece` called on the thread that serves `queue` until it returns
-  /// true. That thread does what else waits in between. Throws what `piece` throws. False, and
-  /// `piece` is not called any more, if the worker is stopping or the deadline passes.
+  /// Call on the worker's thread. Has the thread that serves `queue` call `piece` until it returns
+  /// true; that thread handles other callbacks in between. Throws what `piece` throws. Returns
+  /// false, and `piece` is not called again, if the worker is stopping or the deadline passes.
   bool await(ros::CallbackQueueInterface& queue, std::function<bool()> piece,
              std::chrono::steady_clock::time_point deadline =
                  std::chrono::steady_clock::time_point::max());
 
-  /// The value, which only the worker's thread frees, whoever drops the last reference. After
-  /// stop() that thread itself frees it.
+  /// A pointer to the value, which only the worker's thread frees, whichever thread drops the last
+  /// reference. After stop(), the thread that drops it frees it.
   template <class T>
   std::shared_ptr<const T> owned(std::shared_ptr<const T> value) {
     const T* const address = value.get();
@@ -76,13 +77,13 @@ class Worker : public ros::CallbackQueueInterface {
             }};
   }
 
-  /// Ends the thread after what it is working on. What waits is not done.
+  /// Ends the thread after its current work. Waiting work is dropped.
   void stop();
 
-  // Of ros::CallbackQueueInterface: urgent work. A callback that returns TryAgain is called again
+  // ros::CallbackQueueInterface, for urgent work. A callback that returns TryAgain is called again
   // after the urgent work that waits.
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner = 0) override;
-  /// Waits while a callback of that owner runs on the thread.
+  /// Removes the callbacks of the owner. Waits while one of them runs on the thread.
   void removeByID(std::uint64_t owner) override;
 
  private:
@@ -99,7 +100,7 @@ class Worker : public ros::CallbackQueueInterface {
   void doPosted(const Work& work);
 
   Options options_;
-  std::shared_ptr<Inbox> inbox_;  ///< values that were given away may outlive the worker
+  std::shared_ptr<Inbox> inbox_;  ///< shared, because values from owned() may outlive the worker
   std::thread thread_;
 };
 

@@ -13,7 +13,7 @@ namespace link_bounds {
 /// Wall time of callbacks [ms].
 struct Durations {
   void add(double duration);
-  /// 0 if there are none.
+  /// 0 if there were no callbacks.
   double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
 
   std::uint64_t count = 0;
@@ -36,7 +36,7 @@ class CallbackTimes {
     return end(start);
   }
 
-  /// The same for a callback that handles one tf message, and throws nothing.
+  /// The same for a callback that handles one tf message. The callback must not throw.
   template <class Body>
   void measureTf(Body&& body) {
     const double wall = measure(body);
@@ -48,7 +48,7 @@ class CallbackTimes {
   double longestCpu() const { return longest_cpu_; }  ///< ms of CPU time, since the start
   const Durations& tf() const { return tf_; }         ///< since the start
 
-  /// Those since the last call.
+  /// The times of tf messages since the last call.
   Durations takeRecentTf() { return std::exchange(recent_tf_, Durations()); }
 
  private:
@@ -58,7 +58,7 @@ class CallbackTimes {
   };
 
   static Start begin();
-  /// Returns the wall time since then [ms].
+  /// Returns the wall time since `start` [ms].
   double end(const Start& start);
 
   double longest_ = 0;

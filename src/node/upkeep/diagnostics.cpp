@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A level, one sentence, and key-value pairs.
+// A status has a level, a message, and key-value pairs.
 #include "node/upkeep/diagnostics.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -23,11 +23,11 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr std::size_t kMaxObjectLines = 100;  // all are counted
+constexpr std::size_t kMaxObjectLines = 100;  // max lines; the counts include all objects
 constexpr std::size_t kMaxPublisherLines = 100;
-constexpr double kMaxAge = 100;           // of boxes when they are sent [ms]
-constexpr double kMaxBehind = 2;          // of distances, behind boxes [s]
-constexpr double kMaxOtherBehind = 0.25;  // of other topics, behind boxes [s]
+constexpr double kMaxAge = 100;           // ms; a warning if boxes are older when they are sent
+constexpr double kMaxBehind = 2;          // s; a warning if distances are farther behind boxes
+constexpr double kMaxOtherBehind = 0.25;  // s; the same for other topics
 
 struct BodyCounts {
   std::size_t boxes = 0;
@@ -48,7 +48,7 @@ BodyCounts countBodies(const Scene& scene) {
   return counts;
 }
 
-/// An entry per incomplete body, but of objects at most kMaxObjectLines.
+/// One entry per incomplete body, but at most kMaxObjectLines for objects.
 void addIncomplete(const Scene& scene, DiagnosticStatus& status) {
   std::size_t objects = 0;
   scene.forEach([&](const SceneBody& body) {
@@ -58,7 +58,8 @@ void addIncomplete(const Scene& scene, DiagnosticStatus& status) {
   });
 }
 
-/// The box that moves and has the oldest stamp. A slow publisher may keep it for up to `timeout`.
+/// Adds the age of the link box with the oldest stamp; fixed links are ignored. With a slow
+/// publisher that box may be as old as parameter `timeout`.
 void addOldest(const Scene& scene, DiagnosticStatus& status) {
   std::int64_t oldest = 0;
   std::string name;
@@ -137,7 +138,7 @@ void addLatePublishers(const LatePublishers::Texts& publishers, DiagnosticStatus
   }
 }
 
-/// `seconds` since the last status.
+/// `seconds` is the time since the last status.
 void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus& status) {
   const auto count = static_cast<double>(health.times.count);
   const auto text = [](bool is_known, double value) {
@@ -181,7 +182,7 @@ void addTimes(CallbackTimes& times, DiagnosticStatus& status) {
   add(status, "longest callback, CPU [ms]", std::to_string(times.longestCpu()));
 }
 
-/// Says which part of the age is the node's own.
+/// The warning about old boxes; names the part of the age that this node causes.
 std::string ageText(double age_ms, double delay_ms) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(0) << "boxes were up to " << age_ms
@@ -189,7 +190,7 @@ std::string ageText(double age_ms, double delay_ms) {
   return text.str();
 }
 
-/// What max_rate adds is wanted.
+/// The delay that max_rate adds is intended, so it raises the limit.
 void warnOfAge(const Health& health, double max_rate, DiagnosticStatus& status) {
   const double age_ms = std::max(health.lag_ms.value_or(0), health.delay_ms);
   if (age_ms > kMaxAge + (max_rate > 0 ? 1e3 / max_rate : 0))
@@ -280,7 +281,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   publisher_.publish(array);
 }
 
-/// Since the last status, by wall time.
+/// Wall time since the last status.
 double Diagnostics::secondsSinceLast() {
   const ros::SteadyTime now = ros::SteadyTime::now();
   return (now - std::exchange(last_status_, now)).toSec();

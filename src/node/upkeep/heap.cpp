@@ -9,9 +9,9 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kLargeBlock = 1 << 20;  // bytes; smaller ones are frequent, and faster kept
-constexpr int kKeptAtEnd = 4 << 20;   // bytes; a copy of the scene for ~swept of 200 links takes 2
-constexpr std::size_t kManyObjects = 1000;  // they take about 1 MiB
+constexpr int kLargeBlock = 1 << 20;  // bytes; smaller blocks are frequent and reused faster
+constexpr int kKeptAtEnd = 4 << 20;   // bytes; a scene copy for ~swept of 200 links takes 2 MiB
+constexpr std::size_t kManyObjects = 1000;  // this many take about 1 MiB
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each line names the frame and the two usual causes.
+// Each log line names the frame and its usual causes.
 #include "node/upkeep/lost_frames.h"
 
 #include <map>
@@ -61,17 +61,17 @@ std::string linkLine(const LiveBoxes& links, std::size_t i, std::size_t count) {
                    : "does not run, or nobody publishes joint_states for its joints");
 }
 
-/// An object of a header frame, and what is wrong with the frame.
+/// An object whose frame is lost, and the problem of that frame.
 struct LostObject {
   const LiveObject* object;
   TransformProblem problem;
 };
 
-/// The first object of each frame. An object that waits for the transform at its stamp says nothing
-/// about its frame: it may only be early.
+/// The first lost object per header frame. An object that waits for the transform at its stamp may
+/// only be early, so its frame is checked at the newest time instead.
 std::map<std::string, LostObject> lostObjects(Scene& scene) {
   std::map<std::string, LostObject> result;
-  std::map<FrameTracker::Frame, TransformProblem> now;  // of frames in which objects wait
+  std::map<FrameTracker::Frame, TransformProblem> now;  // current problem per frame
   for (const auto& [key, object] : scene.objects.objects()) {
     TransformProblem problem = object.problem;
     if (problem == TransformProblem::kWaiting) {

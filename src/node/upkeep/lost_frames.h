@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Warnings about frames that tf does not connect with the fixed frame, or no longer.
+// Warnings about frames that tf does not, or no longer, connect with the fixed frame.
 #pragma once
 
 #include <ros/time.h>
@@ -15,9 +15,9 @@ namespace link_bounds {
 
 class LostFrames {
  public:
-  /// To be called a few times per second. Returns the lines to log, by the rules of LossLog: one
-  /// about the fixed frame, if no link has a transform to it; else one about links, one about
-  /// header frames of objects.
+  /// Call a few times per second. Returns the lines to log, by the rules of LossLog. If no link has
+  /// a transform to the fixed frame: one line about that frame. Otherwise: one line about links,
+  /// and one about header frames of objects.
   std::vector<std::string> warnings(Scene& scene, ros::SteadyTime now);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a status of /diagnostics is filled.
+// Functions that fill a status of /diagnostics.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
@@ -12,11 +12,11 @@
 
 namespace link_bounds {
 
-/// After their number.
+/// Text after the number of errors.
 constexpr char kUnexpectedErrors[] =
     " unexpected errors: messages may be missing; the log has their text, please report it";
 
-/// The worst level counts; all sentences stay.
+/// Raises the level if `level` is worse, and appends the sentence.
 inline void raise(diagnostic_msgs::DiagnosticStatus& status, std::int8_t level,
                   const std::string& text) {
   status.level = std::max<std::int8_t>(status.level, level);

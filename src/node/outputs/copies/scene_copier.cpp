@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A piece of a copy runs between two callbacks of the update thread, which then go first.
+// The update thread copies in short pieces. Between two pieces it handles the callbacks that wait.
 #include "node/outputs/copies/scene_copier.h"
 
 #include <utility>
@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-/// About as long as one update of 200 links.
+/// The max time of a piece: about the time of one update of 200 links.
 constexpr std::chrono::microseconds kPiece(50);
 
 }  // namespace

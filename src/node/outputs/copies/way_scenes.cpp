@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rules of a model are made once.
+// The stop rules are computed once per model.
 #include "node/outputs/copies/way_scenes.h"
 
 #include <utility>

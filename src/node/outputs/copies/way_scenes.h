@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What outputs need that look ahead: the scene, how its joints may move, and /joint_states.
+// The inputs of ~stopping and ~earliest: a copy of the scene, the limits on joint motion, and
+// joint_states.
 #pragma once
 
 #include <memory>
@@ -14,32 +15,34 @@
 
 namespace link_bounds {
 
-/// Only the thread of one worker may use it; any thread may call problem().
+/// Used by the thread of one worker only; problem() may be called on any thread.
 class WayScenes {
  public:
   explicit WayScenes(const SceneCopier& scenes) : scenes_(scenes) {}
 
   struct Copy {
     std::unique_ptr<PastScene> scene;
-    const StopRules* rules;     ///< until the next copy()
-    const JointStates* states;  ///< until the next copy(); null without the parameter joint_states
+    const StopRules* rules;     ///< valid until the next copy()
+    const JointStates* states;  ///< valid until the next copy(); null unless the parameter
+                                ///< joint_states is set
   };
 
-  /// Nothing if there is no robot, if the scene has no answer, or if the worker is stopping.
+  /// nullopt if there is no robot, if no boxes can be computed for the scene, or if the worker is
+  /// stopping.
   std::optional<Copy> copy(Worker& worker);
 
-  /// Why a body of the last copy is incomplete; "" if none is, or after rest().
+  /// Why a body of the last copy is incomplete; "" if all are complete, and after rest().
   std::string problem() const;
   void setProblem(std::string problem);
 
-  /// To be called when nobody listens any more.
+  /// Call when the last subscriber has gone: frees the rules and unsubscribes from joint_states.
   void rest();
 
  private:
   const SceneCopier& scenes_;
   JointStateReceiver joint_states_;
   std::shared_ptr<const Model> model_;
-  std::optional<StopRules> rules_;  ///< of the model
+  std::optional<StopRules> rules_;  ///< rules of model_
   mutable std::mutex mutex_;
   std::string problem_;  ///< guarded by mutex_
 };

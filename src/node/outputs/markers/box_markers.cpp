@@ -39,7 +39,7 @@ void addEdges(Marker marker, const Eigen::Vector3d& radius, std_msgs::ColorRGBA 
   array.markers.push_back(std::move(marker));
 }
 
-/// Without size and place.
+/// placeLabels() sets the size and the position later.
 void addLabel(Marker marker, const std::string& text, MarkerArray& array) {
   marker.text = text;
   marker.color = labelColor();
@@ -70,14 +70,14 @@ void addBox(const Aabb& box, const std::string& name, const std::string& ns,
   }
 }
 
-/// `labels` are those of the text markers, in their order.
+/// `labels` has one entry per text marker of `array`, in the same order.
 void placeLabels(std::vector<Label> labels, MarkerArray& array) {
   separate(labels);
   auto label = labels.begin();
   for (Marker& marker : array.markers) {
     if (marker.id != kLabel) continue;
     marker.pose.position = toPoint(label->bottom);
-    marker.pose.position.z += label->height / 2;  // rviz places the middle of a text
+    marker.pose.position.z += label->height / 2;  // rviz centers a text at its position
     marker.scale.z = label->height;
     ++label;
   }
@@ -107,7 +107,7 @@ void ShownMarkers::replaceBy(MarkerArray& markers, const std_msgs::Header& heade
   end.pose.orientation.w = 1;
   if (has_lost) {
     end.action = Marker::DELETEALL;
-    end.ns = kDrawingsNamespace;  // rviz ignores it, and deletes all
+    end.ns = kDrawingsNamespace;  // rviz ignores the namespace and deletes all markers
     markers.markers.insert(markers.markers.begin(), end);
     shown_.clear();
   }

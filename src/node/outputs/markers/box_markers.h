@@ -13,21 +13,22 @@
 
 namespace link_bounds {
 
-/// An ADD per marker of each box: faces (id 0), edges (id 1) and label (id 2), as marker_style and
-/// marker_labels of the model say. The namespace is the tf name of a link, or
+/// ADD markers for each box: faces (id 0), edges (id 1) and label (id 2), as the parameters
+/// marker_style and marker_labels say. The namespace is the tf name of a link, or
 /// "link_bounds/objects/<name>" for an object. Boxes that rviz cannot draw are left out.
 visualization_msgs::MarkerArray boxMarkers(const Moment& moment);
 
-/// Remembers the markers that rviz may show, so that each array can delete those that are gone.
+/// Keeps the markers that rviz may show, so that the next array can delete those that no longer
+/// exist.
 class ShownMarkers {
  public:
-  /// Appends a DELETE for each remembered marker that `markers` lacks, then remembers only those of
-  /// `markers`. If an earlier array may be lost, with its DELETEs, it puts a DELETEALL in front
-  /// instead.
+  /// Appends a DELETE for each kept marker that is not in `markers`, then keeps the markers of
+  /// `markers` instead. If an earlier array and its DELETEs may be lost (`has_lost`), puts a
+  /// DELETEALL in front instead.
   void replaceBy(visualization_msgs::MarkerArray& markers, const std_msgs::Header& header,
                  bool has_lost = false);
 
-  /// Remembers those of `markers`, too.
+  /// Keeps the markers of `markers` in addition.
   void add(const visualization_msgs::MarkerArray& markers);
 
  private:

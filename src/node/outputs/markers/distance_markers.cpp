@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Three markers with ids that never change, so that nothing is left over in rviz.
+// Always the same three marker ids, so that no old marker stays in rviz.
 #include "node/outputs/markers/distance_markers.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using visualization_msgs::Marker;
 constexpr char kNamespace[] = "link_bounds/distances";
 
 constexpr double kLineWidth = 0.004;    ///< [m]
-constexpr double kNearestWidth = 0.01;  ///< told from the others without colors, too [m]
+constexpr double kNearestWidth = 0.01;  ///< visibly thicker, to be recognised without colors [m]
 constexpr double kTextHeight = 0.05;    ///< [m]
 
 bool areDrawable(const Distance& distance) {
@@ -29,7 +29,7 @@ bool areDrawable(const Distance& distance) {
   return is_below(distance.on_first) && is_below(distance.on_second);
 }
 
-/// Red, over yellow, to green.
+/// From red at `red` through yellow to green at `limit`.
 std_msgs::ColorRGBA colorOf(double distance, double red, double limit) {
   const double share = limit > red ? std::clamp((distance - red) / (limit - red), 0.0, 1.0) : 0;
   return toColor({std::min(1.0, 2 - 2 * share), std::min(1.0, 2 * share) * 0.8, 0, 1});

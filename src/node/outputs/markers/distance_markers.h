@@ -9,8 +9,9 @@
 
 namespace link_bounds {
 
-/// A line per pair between its two points, from red at `red` metres and below to green at `limit`.
-/// The smallest distance has a thicker line and is there as text. What is not there is deleted.
+/// One line per pair, between its two nearest points: red if the distance is `red` metres or less,
+/// green at `limit` metres. The smallest distance has a thicker line and a text. Markers without
+/// content are deleted.
 visualization_msgs::MarkerArray distanceMarkers(const DistanceArray& distances,
                                                 const Distance& nearest, double red, double limit);
 

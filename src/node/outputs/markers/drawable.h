@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What rviz can draw, and what markers have in common.
+// Limits of rviz, and functions that all markers use.
 #pragma once
 
 #include <visualization_msgs/Marker.h>
@@ -29,7 +29,7 @@ inline std_msgs::ColorRGBA toColor(const std::array<double, 4>& rgba) {
   return color;
 }
 
-/// An ADD.
+/// A marker with action ADD.
 inline visualization_msgs::Marker newMarker(const std_msgs::Header& header, const std::string& ns,
                                             int id, int type) {
   visualization_msgs::Marker marker;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the lowest label upward.
+// Labels are placed one by one, from the lowest upward.
 #include "node/outputs/markers/label_layout.h"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kHeight = 0.05;         ///< of a box whose diagonal is 1 m [m]
-constexpr double kMinHeight = 1e-3;      ///< [m]
-constexpr double kCharacterWidth = 0.6;  ///< of the height, in rviz's font; its mean is about 0.5
-constexpr std::size_t kMaxNeighbours = 64;  ///< the highest so far; bounds the time of many labels
+constexpr double kHeight = 0.05;            ///< text height for a box with a diagonal of 1 m [m]
+constexpr double kMinHeight = 1e-3;         ///< [m]
+constexpr double kCharacterWidth = 0.6;     ///< per height; the mean of rviz's font is about 0.5
+constexpr std::size_t kMaxNeighbours = 64;  ///< only the highest so far count, to limit the time
 
 double top(const Label& label) {
   return label.bottom.z() + label.height;
@@ -28,8 +28,8 @@ bool overlap(const Label& a, const Label& b) {
          b.bottom.z() < top(a);
 }
 
-/// Each move raises the label, so there is an end. `neighbours` are in the order of their bottoms,
-/// so two rounds nearly always do.
+/// The loop ends because each move raises the label. `neighbours` are sorted by their bottoms, so
+/// two rounds nearly always suffice.
 void putOnTop(const std::vector<Label>& neighbours, Label& label) {
   for (bool is_moved = true; is_moved;) {
     is_moved = false;

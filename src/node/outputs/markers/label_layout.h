@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Size, place and color of text in rviz.
+// Size, position and color of text in rviz.
 #pragma once
 
 #include <std_msgs/ColorRGBA.h>
@@ -12,24 +12,24 @@
 
 namespace link_bounds {
 
-/// Magenta of a medium luminance, 0.19: contrast 4 to white, 3 to rviz's dark grey, 5 to black. Few
-/// robots have this color.
+/// Magenta with a medium luminance of 0.19. Its contrast ratio is 4 to white, 3 to rviz's dark grey
+/// and 5 to black. Few robots have this color.
 std_msgs::ColorRGBA labelColor();
 
-/// A line of text that faces the camera, so it takes its width along x and along y.
+/// A line of text that faces the camera. Its width is therefore reserved along both x and y.
 struct Label {
-  Eigen::Vector3d bottom;  ///< the middle of its lower edge [m]
-  double width;            ///< at most [m]; depends on the font
+  Eigen::Vector3d bottom;  ///< middle of the lower edge [m]
+  double width;            ///< max width [m]; the real one depends on the font
   double height;           ///< [m]
 };
 
-/// The label of a box grows with the box and is at most as wide as its diagonal. It stands above
-/// the corner of largest x and y, where other links rarely hide it.
+/// The label of a box grows with the box and is at most as wide as the diagonal of the box. It
+/// stands above the corner with the max x and y, where other links rarely hide it.
 Label labelOf(const Aabb& box, const std::string& text);
 
-/// Puts each label that overlaps a lower one on top of that one, like lines of a list. Of many
-/// labels at one place, only some tens are kept apart, so that the time grows with their number and
-/// not with its square.
+/// Puts each label that overlaps a lower one on top of it, like lines of a list. If many labels are
+/// at one place, only some tens of them are kept apart, so that the time grows linearly with their
+/// number.
 void separate(std::vector<Label>& labels);
 
 }  // namespace link_bounds

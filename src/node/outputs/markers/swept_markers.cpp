@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Two markers with ids that never change, so that nothing is left over in rviz.
+// Always the same two marker ids, so that no old marker stays in rviz.
 #include "node/outputs/markers/swept_markers.h"
 
 #include "node/outputs/markers/drawable.h"
@@ -20,7 +20,7 @@ constexpr Look kSweptLook{"link_bounds/swept", 1, 0.5, 0};
 constexpr Look kStoppingLook{"link_bounds/stopping", 1, 0, 0.6};
 
 constexpr double kSweptLineWidth = 0.002;  ///< [m]
-/// The robot and its boxes stay visible inside.
+/// Translucent, so that the robot and its boxes stay visible inside.
 constexpr double kFaceAlpha = 0.15;
 constexpr double kEdgeAlpha = 0.6;
 

@@ -9,11 +9,12 @@
 
 namespace link_bounds {
 
-/// Translucent faces of all boxes, and their edges, in the namespace "link_bounds/swept". What is
-/// not there is deleted.
+/// Translucent faces and edges of all boxes, in the namespace "link_bounds/swept". Without boxes,
+/// both markers are deleted.
 visualization_msgs::MarkerArray sweptMarkers(const AxisAlignedBoxArray& boxes);
 
-/// As sweptMarkers(), of the boxes of ~stopping, in another colour.
+/// Like sweptMarkers(), for the boxes of ~stopping, in the namespace "link_bounds/stopping" and
+/// another color.
 visualization_msgs::MarkerArray stoppingMarkers(const AxisAlignedBoxArray& boxes);
 
 }  // namespace link_bounds

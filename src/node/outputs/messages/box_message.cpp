@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Entries that are already in the message are overwritten, so that strings keep their memory.
+// Overwrites existing entries, so that their strings keep their memory.
 #include "node/outputs/messages/box_message.h"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace link_bounds {
 namespace {
 
-/// Keeps memory for some entries more, but not for ten thousand objects that are gone.
+/// Resizes the list. Keeps spare memory for some entries, but not for ten thousand removed objects.
 template <class T>
 void shorten(std::vector<T>& entries, std::size_t size) {
-  constexpr std::size_t kSpare = 1000;  // some 100 KB, as many entries as large robots have
+  constexpr std::size_t kSpare = 1000;  // about 100 KB; large robots have as many entries
   entries.resize(size);
   if (entries.capacity() > 2 * (size + kSpare)) entries.shrink_to_fit();
 }
@@ -51,7 +51,7 @@ ros::Time BoxFiller::timeOf(std::int64_t stamp) {
   return time_;
 }
 
-/// Objects of one name follow each other.
+/// Skips repeated names: objects with the same name come one after the other.
 void BoxFiller::addIncomplete(const std::string& name) {
   if (incomplete_ > 0 && message_.incomplete[incomplete_ - 1] == name) return;
   if (incomplete_ == message_.incomplete.size()) message_.incomplete.emplace_back();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fills messages with boxes.
+// Writes boxes into messages.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ class BoxFiller {
   void add(const std::string& name, const BoxState& state);
   void addIncomplete(const std::string& name);
 
-  /// To be called after the last add().
+  /// Call after the last add() or addIncomplete().
   void finish();
 
  private:
@@ -30,16 +30,16 @@ class BoxFiller {
   std::size_t incomplete_ = 0;
   std::int64_t newest_ = 0;
   std::int64_t stamp_ = 0;
-  ros::Time time_;  ///< of stamp_
+  ros::Time time_;  ///< stamp_ as ROS time
 };
 
 /// Overwrites `message` with the boxes of links and objects. There must be a model.
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message);
 
-/// The same with those of a moment, and its header.
+/// The same for the boxes of a moment, with its header.
 void fillBoxes(const Moment& moment, AxisAlignedBoxArray& message);
 
-/// The same with the boxes of groups.
+/// The same for the boxes of groups.
 void fillGroups(const Scene& scene, AxisAlignedBoxArray& message);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rounds each coordinate outward.
+// Rounds each coordinate outward to float32.
 #include "node/outputs/messages/footprint.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-/// Nothing if a coordinate is too large for float32.
+/// nullopt if a coordinate is too large for float32.
 std::optional<geometry_msgs::Polygon> rectangleOf(const AxisAlignedBox& box) {
   const float min_x = floatDown(box.min.x);
   const float min_y = floatDown(box.min.y);
@@ -29,7 +29,8 @@ std::optional<geometry_msgs::Polygon> rectangleOf(const AxisAlignedBox& box) {
   return polygon;
 }
 
-/// Why box robot cannot be used; "" if it can. Group robot is the first one in both lists.
+/// Why the box of group robot cannot be used; "" if it can. Group robot is always the first entry
+/// of both lists.
 std::string whyNoRobot(const AxisAlignedBoxArray& groups) {
   if (groups.boxes.empty() || groups.boxes.front().name != kRobotGroup) return "no link has a box";
   if (!groups.incomplete.empty() && groups.incomplete.front() == kRobotGroup)

@@ -12,12 +12,12 @@
 
 namespace link_bounds {
 
-/// The corners (min x, min y), (max x, min y), (max x, max y), (min x, max y) at z = 0 [m], in
-/// float32 rounded outward. `groups` is a message of ~groups. Nothing if its box robot is missing,
+/// The corners (min x, min y), (max x, min y), (max x, max y), (min x, max y) at z = 0 [m], rounded
+/// outward to float32. `groups` is a message of ~groups. nullopt if its box robot is missing,
 /// incomplete or too large for float32.
 std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& groups);
 
-/// Why footprintOf returns nothing; "" if it returns a polygon.
+/// Why footprintOf() returns nullopt; "" if it returns a polygon.
 std::string whyNoFootprint(const AxisAlignedBoxArray& groups);
 
 }  // namespace link_bounds

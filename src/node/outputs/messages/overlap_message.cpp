@@ -6,7 +6,7 @@
 
 namespace link_bounds {
 
-/// Entry `count` of the list; at its end, appends a spare entry or a new one.
+/// Entry `count` of the list. If the list is shorter, appends a spare entry or a new one.
 BoxOverlap& OverlapFiller::nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count) {
   if (count < overlaps.size()) return overlaps[count];
   if (spare_.empty()) return overlaps.emplace_back();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs of near boxes as a message.
+// Writes pairs of near boxes into messages.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@
 
 namespace link_bounds {
 
-/// Fills messages of one moment after another and reuses their memory.
+/// Fills one message per moment and reuses the memory of earlier messages.
 class OverlapFiller {
  public:
-  /// Overwrites `message` with the pairs whose boxes are within overlap_margin. False if `is_over`,
-  /// which is asked now and then, said so.
+  /// Overwrites `message` with the pairs whose boxes are within overlap_margin. `is_over` is called
+  /// regularly; if it returns true, fill() stops and returns false.
   bool fill(
       const MomentPtr& moment, MomentPairs& pairs, BoxOverlapArray& message,
       const std::function<bool()>& is_over = [] { return false; });
@@ -23,7 +23,7 @@ class OverlapFiller {
  private:
   BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
 
-  std::vector<BoxOverlap> spare_;  ///< unused entries, whose strings have memory
+  std::vector<BoxOverlap> spare_;  ///< unused entries; their strings keep their memory
 };
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts have the poses of the boxes of their links, so both always agree.
+// Parts use the poses of the link boxes, so both always agree.
 #include "node/outputs/messages/part_boxes.h"
 
 #include <utility>
@@ -27,7 +27,7 @@ bool PartBoxes::fill(const Moment& moment, AxisAlignedBoxArray& message) {
     const std::size_t i = *body.link;
     BoxState state;
     state.stamp = body.stamp;
-    state.incomplete = false;  // is named once, above
+    state.incomplete = false;  // incomplete links are named once, above
     for (std::size_t part = 0; part < model_->parts[i].size(); ++part) {
       parts_[i].update(part, body.frame_from_body);
       state.box = parts_[i].box(part);
