@@ -11,14 +11,14 @@
 namespace link_bounds {
 namespace {
 
-/// An angle that tf2 may take for zero is smaller than the error of an angle, and so computed here
-/// as smaller than two of them.
+/// An angle that tf2 may treat as zero is smaller than kAngleError, so the angle that is computed
+/// here is smaller than twice that.
 constexpr double kJump = kAngleError;
 constexpr double kMayJump = 2 * kAngleError;
-constexpr double kMaxLengthJump = 1e-5;  // of squares of lengths; float32 leaves 1e-7
+constexpr double kMaxLengthJump = 1e-5;  // of squared lengths, relative; float32 rounds to 1e-7
 
-/// The rounding errors of all poses and boxes, per edge and relative to the largest coordinate.
-/// An edge takes less than 100 additions and multiplications, each wrong by 1.2e-16.
+/// Bounds the rounding errors of all poses and boxes, per edge and relative to the largest
+/// coordinate. An edge takes less than 100 additions and multiplications, each wrong by 1.2e-16.
 constexpr double kRounding = 5e-14;
 
 /// q and -q are the same rotation.
@@ -26,7 +26,7 @@ bool isSameRotation(const tf2::Quaternion& a, const tf2::Quaternion& b) {
   return a == b || a == b * -1.0;
 }
 
-/// Distance from the origin, speed, acceleration and jump of a point, at most.
+/// Upper bounds X, V, A and J of the header for one point.
 struct PointMotion {
   double distance;
   double speed;
@@ -69,9 +69,10 @@ PointMotion startOf(const PathSteps& path, double radius) {
   return {distance, slope * distance, (slope * slope + curvature) * distance, jump * distance};
 }
 
-/// The distance in step 4 may be much smaller than the sum of both, as that of an object near a
-/// robot that is far from the origin of the map. At the ends it is known but for the target's
-/// quaternions; between them the origin of the link leaves the straight way by A/8.
+/// Bounds the distance of both points in step 4. It may be much smaller than the sum of their X: an
+/// object may be near a robot that is far from the origin of the map. At the ends it is known but
+/// for the lengths of the target's quaternions. Between them the origin of the link leaves the
+/// straight way by at most A/8.
 double separation(const PathSteps& path, const PointMotion& start, double distance,
                   double acceleration) {
   double extent = start.distance;

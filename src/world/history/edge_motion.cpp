@@ -16,7 +16,7 @@ tf2::TransformStorage stored(const Tf2Pose& pose, double stamp) {
   return result;
 }
 
-/// EdgeStep::is_sudden, asked of the library.
+/// EdgeStep::is_sudden according to the tf2 library.
 bool isSuddenInLibrary(const Tf2Pose& older, const Tf2Pose& newer) {
   tf2::TimeCache cache;
   cache.insertData(stored(older, 1));
@@ -25,7 +25,7 @@ bool isSuddenInLibrary(const Tf2Pose& older, const Tf2Pose& newer) {
   return cache.getData(ros::Time(2), middle) && middle.rotation_ == older.rotation();
 }
 
-/// Quaternions of nearly the same rotation, whose slerp is a straight way.
+/// Interpolates linearly, which equals slerp for quaternions of nearly the same rotation.
 tf2::Quaternion between(const tf2::Quaternion& older, const tf2::Quaternion& newer, double part) {
   const double sign = older.dot(newer) < 0 ? -1 : 1;
   return older * (1 - part) + newer * (sign * part);
@@ -42,7 +42,7 @@ void EdgeMotion::seek(std::int64_t time) {
   motion_.reset();
 }
 
-/// Poses at samples do not need it.
+/// Made on first use, because poses at samples do not need it.
 const EdgeMotion::Motion& EdgeMotion::motion() const {
   if (motion_) return *motion_;
   const Tf2Pose& from = older().parent_from_child;

@@ -11,40 +11,41 @@
 
 namespace link_bounds {
 
-/// Times are nanoseconds and lie in the span.
+/// All times are in nanoseconds and within the span.
 class EdgeMotion {
  public:
-  /// The samples that decide the edge's transforms in the span, at least one: see
-  /// EdgeHistory::between. They must stay in memory.
+  /// `samples`: those between which the edge is interpolated in the span, at least one; see
+  /// EdgeHistory::between. They must outlive this.
   explicit EdgeMotion(std::vector<const EdgeSample*> samples) : samples_(std::move(samples)) {}
 
   const std::vector<const EdgeSample*>& samples() const { return samples_; }
 
-  /// Otherwise it has one transform for the whole span.
+  /// False if the edge has one transform for the whole span.
   bool isMoving() const { return samples_.size() > 1; }
 
-  /// Goes to the two samples that decide the transforms from this time on, until the next sample.
+  /// Selects the pair of successive samples whose interval contains this time. The functions below
+  /// refer to this pair.
   void seek(std::int64_t time);
 
-  /// What tf2 gives at a time between these two samples.
+  /// The transform that tf2 gives at a time between the two samples.
   Tf2Pose at(std::int64_t time) const;
 
-  /// How the edge moves during a part of the time between these two samples.
+  /// Bounds of the motion in any part of the interval that lasts `duration`.
   EdgeStep stepIn(std::int64_t duration) const;
 
-  /// True if the edge jumps at the newer of these two samples.
+  /// True if the edge jumps at the newer sample.
   bool isSudden() const { return motion().step.is_sudden != isLibraryOther(); }
 
-  /// True if the library tf2 decides otherwise whether it does, as it may be compiled in another
-  /// way: see step 6 in deviation_bound.h.
+  /// True if the tf2 library, which may be compiled in another way, disagrees on whether the edge
+  /// jumps: see step 6 in deviation_bound.h.
   bool isAmbiguous() const { return motion().is_ambiguous; }
 
-  /// Whether at() and isSudden() decide as the library tf2 does, also where isAmbiguous(). By
-  /// default they do not.
+  /// With true, at() and isSudden() follow the tf2 library where isAmbiguous(). The default is
+  /// false: they follow tf2's formula as it is compiled here.
   void followLibrary(bool is_library) { is_library_ = is_library; }
 
  private:
-  /// Between two samples.
+  /// The motion between two successive samples.
   struct Motion {
     EdgeStep step;
     bool is_ambiguous;  ///< see isAmbiguous()
@@ -53,14 +54,14 @@ class EdgeMotion {
   bool hasNext() const { return place_ + 1 < samples_.size(); }
   const EdgeSample& older() const { return *samples_[place_]; }
   const EdgeSample& newer() const { return *samples_[place_ + 1]; }
-  /// True if at() has to give what the library does, and that is not what the formula here does.
+  /// True if at() must follow the tf2 library and its result differs from the formula here.
   bool isLibraryOther() const { return is_library_ && isAmbiguous(); }
   const Motion& motion() const;
   double partOf(std::int64_t duration) const;
 
   std::vector<const EdgeSample*> samples_;
-  std::size_t place_ = 0;                 ///< of the older one
-  mutable std::optional<Motion> motion_;  ///< there; nothing until it is asked for
+  std::size_t place_ = 0;                 ///< index of older() in samples_
+  mutable std::optional<Motion> motion_;  ///< from older() to newer(); made on first use
   bool is_library_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Climbs as TransformBuffer::pose does, but during a span.
+// Climbs the tf tree like TransformBuffer::pose, but for a span instead of one time.
 #include "world/history/motion_path.h"
 
 #include <algorithm>
@@ -21,9 +21,9 @@ std::string seconds(std::int64_t nanoseconds) {
 
 /// The way up from a frame, as far as tf knows it for the whole span.
 struct Climb {
-  std::vector<Frame> frames;  ///< the first one, and the parent of each edge
+  std::vector<Frame> frames;  ///< the start, then the parent of each edge
   std::vector<EdgeMotion> edges;
-  std::string problem;  ///< why it does not go on; "" where a tree of tf ends
+  std::string problem;  ///< why the way ends early; "" at isEnd() and at the root of a tf tree
 };
 
 class Climber {
@@ -31,7 +31,7 @@ class Climber {
   Climber(const TransformBuffer& tf, MotionSpan span, double timeout)
       : tf_(tf), span_(span), timeout_(timeout) {}
 
-  /// Until isEnd(frame), or as far as possible.
+  /// Climbs until isEnd(frame), or as far as possible.
   template <class IsEnd>
   Climb climb(Frame frame, IsEnd isEnd) const {
     Climb result;
@@ -56,7 +56,7 @@ class Climber {
  private:
   std::string notCovered(Frame frame, const EdgeHistory& history) const {
     const std::int64_t oldest = history.oldestStamp();
-    // An excerpt of tf may end soon after the span.
+    // "on": an excerpt of tf may end soon after the span, so its newest stamp says nothing.
     const std::string known = oldest > span_.begin
                                   ? "from " + seconds(oldest) + " on"
                                   : "up to " + seconds(history.samples().newest().stamp);

@@ -13,13 +13,13 @@
 
 namespace link_bounds {
 
-/// Both ends count [ns of ROS time], begin <= end.
+/// A closed interval [ns of ROS time]; begin <= end.
 struct MotionSpan {
   std::int64_t begin;
   std::int64_t end;
 };
 
-/// Each list goes up to the nearest frame above both.
+/// Each list leads up to the nearest common ancestor of both frames.
 struct MotionPath {
   std::vector<EdgeMotion> from_source;
   std::vector<EdgeMotion> from_target;
@@ -29,26 +29,27 @@ struct MotionPath {
     return anyEdge([](const EdgeMotion& edge) { return edge.isMoving(); });
   }
 
-  /// The stamps of the samples of edges that move, within the span but for its ends, in any order.
+  /// Appends the stamps of all samples of moving edges strictly inside the span, in any order.
   void addSampleTimes(MotionSpan span, std::vector<std::int64_t>& times) const;
 
-  /// The functions below are about the time from the sample at or before this one to the next one.
+  /// Selects the interval from the last sample at or before this time [ns] to the next sample. The
+  /// functions below refer to this interval.
   void seek(std::int64_t time);
 
-  /// True if tf2 may move it in two ways: see step 6 of deviation_bound.h.
+  /// True if tf2 may move an edge in two ways: see step 6 of deviation_bound.h.
   bool isAmbiguous() const {
     return anyEdge([](const EdgeMotion& edge) { return edge.isAmbiguous(); });
   }
 
-  /// True if an edge jumps at the next sample: its motion ends one nanosecond before.
+  /// True if an edge jumps at the next sample: its interpolation ends one nanosecond before that.
   bool isSudden() const {
     return anyEdge([](const EdgeMotion& edge) { return edge.isSudden(); });
   }
 
-  /// As EdgeMotion::followLibrary.
+  /// See EdgeMotion::followLibrary.
   void followLibrary(bool is_library);
 
-  /// The pose of the source in the target. The products are those of TransformBuffer::pose.
+  /// The pose of the source in the target, multiplied in the order of TransformBuffer::pose.
   Tf2Pose targetFromSource(std::int64_t time) const;
 
  private:
@@ -59,17 +60,18 @@ struct MotionPath {
   }
 };
 
-/// What the edges do in that time, from its begin on, in memory that is reused.
+/// Fills `steps`, whose memory is reused, with EdgeMotion::stepIn of each edge.
 void fillSteps(const std::vector<EdgeMotion>& edges, std::int64_t duration,
                std::vector<EdgeStep>& steps);
 
-/// The edges must have had the same parents during the whole span, and no two samples in it that
-/// follow each other may be further apart than `timeout` (seconds; 0: they may be). The path is
-/// valid as long as tf does not change.
+/// The path has a problem if an edge changes its parent during the span, or if two successive
+/// samples are further apart than `timeout` (seconds; 0: no limit). The path is valid as long as tf
+/// does not change.
 MotionPath pathBetween(const TransformBuffer& tf, TransformBuffer::Frame target,
                        TransformBuffer::Frame source, MotionSpan span, double timeout);
 
-/// From this stamp on tf has not forgotten any edge between both, by their present parents.
+/// The stamp from which on tf has the history of all edges between both frames, according to their
+/// present parents; 0 if all edges are static.
 std::int64_t oldestKnown(const TransformBuffer& tf, TransformBuffer::Frame target,
                          TransformBuffer::Frame source);
 

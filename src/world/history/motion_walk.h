@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A body on its way: placed at all samples of all edges of the path, and between them as often as
-// the visitor needs it, with the bound of deviation_bound.h.
+// Follows a moving body: places it at all samples of all edges of its path, and between them as
+// often as the visitor requires, and bounds the motion by deviation_bound.h.
 #pragma once
 
 #include <algorithm>
@@ -18,23 +18,24 @@ namespace link_bounds {
 template <class Made>
 struct BodyAtTime {
   std::int64_t time;
-  std::optional<Made> made;  ///< what the visitor made of the pose; nothing if that failed
-  double distance;           ///< of its origin from that of the target [m]
+  std::optional<Made> made;  ///< result of Visitor::make(); nothing if that failed
+  double distance;           ///< between the origins of body and target [m]
 };
 
 /// A Visitor has
 ///   using Made = ...;
 ///   std::optional<Made> make(std::int64_t time, const Eigen::Affine3d& target_from_body);
 ///   /// No point of the body leaves the straight way between its two places by more than `bulge`,
-///   /// whose sum is finite. False halves the time between them; not allowed below 2 ns.
+///   /// whose sum is finite. If this returns false, the walk halves the interval. It must return
+///   /// true for intervals shorter than 2 ns.
 ///   bool isCovered(const BodyAtTime<Made>& from, const BodyAtTime<Made>& to, const Bulge& bulge);
 template <class Visitor>
 class MotionWalk {
  public:
   using Placed = BodyAtTime<typename Visitor::Made>;
 
-  /// `radius`: how far the points of the body are from its origin [m], at most. All must outlive
-  /// this.
+  /// `radius`: max distance of the points of the body from its origin [m]. All references must
+  /// outlive this.
   MotionWalk(MotionPath& path, MotionSpan span, double radius, Visitor& visitor,
              const std::function<bool()>& gives_up)
       : path_(path), radius_(radius), visitor_(visitor), gives_up_(gives_up) {
@@ -45,8 +46,8 @@ class MotionWalk {
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
   }
 
-  /// First the places at all samples, then all motions between them, in the order of time. False if
-  /// something is not finite, or if it was given up.
+  /// Places the body at all samples, then covers the motions between them in the order of time.
+  /// False if a pose or a bound is not finite, if make() failed, or if `gives_up` returned true.
   bool walk() {
     std::vector<Placed> placed;
     for (const std::int64_t time : times_) {
@@ -59,7 +60,7 @@ class MotionWalk {
       if (!coverStep(placed[i], placed[i + 1])) return false;
       if (path_.isAmbiguous() && !coverAsInLibrary(times_[i], times_[i + 1])) return false;
     }
-    // The last pose needs the margin of rounding, too. A body at rest is where its pose is.
+    // The last pose needs the margin for rounding, too. A body at rest needs none.
     if (times_.size() > 1 && !cover(placed.back(), placed.back())) return false;
     const std::int64_t end = times_.back();
     path_.seek(end);
@@ -69,7 +70,7 @@ class MotionWalk {
   bool wasGivenUp() const { return is_given_up_; }
 
  private:
-  static constexpr int kStepsPerLook = 100;  // a tenth of a millisecond, on a path of a few edges
+  static constexpr int kStepsPerLook = 100;  // 0.1 ms between calls of gives_up, for a few edges
 
   Placed place(std::int64_t time) {
     if (isGivenUp()) return {time, std::nullopt, 0};
@@ -86,7 +87,7 @@ class MotionWalk {
     return placed.made && std::isfinite(placed.distance);
   }
 
-  /// From one sample to the next, as the library tf2 moves edges: see EdgeMotion::isAmbiguous().
+  /// As coverStep(), with edges as the tf2 library moves them: see EdgeMotion::isAmbiguous().
   bool coverAsInLibrary(std::int64_t begin, std::int64_t end) {
     path_.followLibrary(true);
     const Placed from = place(begin), to = place(end);
@@ -95,7 +96,7 @@ class MotionWalk {
     return is_covered;
   }
 
-  /// From one sample to the next.
+  /// Covers the motion from one sample to the next.
   bool coverStep(const Placed& from, Placed to) {
     if (path_.isSudden()) {
       to = place(to.time - 1);
@@ -104,7 +105,7 @@ class MotionWalk {
     return cover(from, to);
   }
 
-  /// False if something is not finite, or given up.
+  /// Covers the motion between two places. Fails as walk() does.
   bool cover(const Placed& from, const Placed& to) {
     if (isGivenUp()) return false;
     const Bulge bulge = bulgeOf(from, to);
@@ -126,7 +127,7 @@ class MotionWalk {
   const std::function<bool()>& gives_up_;
   std::vector<std::int64_t> times_;
   PathSteps steps_;     ///< memory that is reused
-  int steps_done_ = 0;  ///< poses and steps between them
+  int steps_done_ = 0;  ///< poses made and motions bounded
   bool is_given_up_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses of the latest time come from a FrameTracker, as those of ~boxes; all others from tf alone.
+// For stamp 0 a FrameTracker gives the latest poses, as for ~boxes. Other poses come from tf alone.
 #include "world/history/past_boxes.h"
 
 #include <ros/time.h>
@@ -80,7 +80,7 @@ PastBoxes PastBoxMaker::take() {
 PastBoxMaker::Made PastBoxMaker::make(const PastBody& body, const std::function<bool()>& gives_up) {
   Pose pose = poseOf(*body.frame);
   if (!pose.target_from_frame) return {{}, 0, std::move(pose.problem)};
-  // A body that stays in a frame that does not move is where its own transform placed it.
+  // If the frame does not move, the stamp is that of the transform that placed the body.
   const std::int64_t stamp = pose.stamp == 0 ? body.stamp : pose.stamp;
   Eigen::Affine3d target_from_body = *pose.target_from_frame;
   const bool stays = *body.frame == scene_.target;

@@ -15,23 +15,24 @@
 namespace link_bounds {
 
 struct PastBoxes {
-  Moment moment;  ///< its header has the stamp of the request; of the latest boxes, the newest
-  std::string problem;   ///< why the first incomplete body is that, and how many more are
-  std::size_t late = 0;  ///< boxes for which there was no time
+  Moment moment;  ///< header stamp: that of the request; if that is 0, the newest of the boxes
+  std::string problem;   ///< why the first incomplete body is incomplete, and how many more are
+  std::size_t late = 0;  ///< number of boxes that were not made in time
 };
 
-/// Makes the boxes, one after the other. Both arguments of the constructor must live longer.
+/// Makes the boxes, one after the other. Both arguments of the constructor must outlive this.
 class PastBoxMaker {
  public:
   PastBoxMaker(PastScene& scene, const BoxRequest& request);
   PastBoxMaker(const PastBoxMaker&) = delete;
   PastBoxMaker& operator=(const PastBoxMaker&) = delete;
 
-  /// Works for about that time, on one body at least; true when all are made. Once `gives_up`,
-  /// which is asked often, returns true, the rest is incomplete and has no box.
+  /// Works for about `budget`, on at least one body; true when all bodies are done. Once
+  /// `gives_up`, which is called often, returns true, the remaining bodies are incomplete and have
+  /// no box.
   bool proceed(std::chrono::nanoseconds budget, const std::function<bool()>& gives_up);
 
-  /// After proceed() returned true.
+  /// To be called once, after proceed() returned true.
   PastBoxes take();
 
  private:
@@ -45,7 +46,7 @@ class PastBoxMaker {
     Eigen::Affine3d target_from_body = Eigen::Affine3d::Identity();
   };
 
-  /// The pose of a frame in that of the request.
+  /// The pose of a frame in the frame of the request.
   struct Pose {
     std::optional<Eigen::Affine3d> target_from_frame;
     std::int64_t stamp = 0;  ///< 0: all its transforms are static
@@ -67,16 +68,16 @@ class PastBoxMaker {
   const BoxRequest& request_;
   FrameTracker tracker_;
   PastBoxes boxes_;
-  std::size_t made_ = 0;        ///< bodies of the scene
-  std::size_t incomplete_ = 0;  ///< among them
+  std::size_t made_ = 0;        ///< number of bodies that are done
+  std::size_t incomplete_ = 0;  ///< number of these that are incomplete
   bool is_given_up_ = false;
 };
 
-/// All at once. If it was given up, that is not complete.
+/// Makes all boxes in one call. `gives_up` as for PastBoxMaker::proceed().
 PastBoxes pastBoxes(PastScene& scene, const BoxRequest& request,
                     const std::function<bool()>& gives_up);
 
-/// Why nothing can be computed for the scene, in words; "" if it can.
+/// Why no boxes can be computed for the scene, in words; "" if they can.
 std::string whyRefused(const PastScene& scene);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks at the path that there is now.
+// Looks at the path between the frames according to their present parents.
 #include "world/history/pose_gap.h"
 
 #include <algorithm>

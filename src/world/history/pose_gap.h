@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Why tf knows no pose at some time.
+// Explains why tf has no pose at some time.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace link_bounds {
 
-/// In words. There must be no pose of `source` in `target` at that time [ns].
+/// Why there is no pose of `source` in `target` at `stamp` [ns], in words. Call this only if there
+/// is none.
 std::string whyNoPose(const TfExcerpt& excerpt, TransformBuffer::Frame target,
                       TransformBuffer::Frame source, std::int64_t stamp);
 

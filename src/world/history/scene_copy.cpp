@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// First links and objects, then the transforms between their frames and that of the request.
+// Copies links and objects first, then the transforms from their frames to the request's frame.
 #include "world/history/scene_copy.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kObjectsPerLook = 8;  // at the clock
+constexpr int kObjectsPerLook = 8;  // copied between two looks at the clock
 
 template <class T>
 void sortWithoutRepeats(std::vector<T>& values) {
@@ -38,7 +38,8 @@ SceneCopy::SceneCopy(BoxRequest request, std::shared_ptr<const Model> model)
     holders_ = rigidBodies(*model_->robot).of_links;
 }
 
-/// Objects of these names are looked for later. A link goes before an object of the same name.
+/// Splits the requested names. A name of both a link and an object means the link. The objects are
+/// looked up later.
 void SceneCopy::findNames() {
   std::unordered_map<std::string_view, std::size_t> links;
   for (std::size_t i = 0; i < model_->links.size(); ++i)
@@ -71,7 +72,8 @@ bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseco
   return past_->excerpt.copy(scene.frames.tf(), end - Clock::now());
 }
 
-/// After a jump of the clock the excerpt begins again, and its time is another one.
+/// After a jump of the clock, sets the time of the copy anew, and marks objects that were placed
+/// once as outdated. The excerpt begins anew by itself.
 void SceneCopy::observeEpoch(const TransformBuffer& tf, ros::Time now) {
   if (epoch_ == tf.epoch()) return;
   epoch_ = tf.epoch();
@@ -103,7 +105,7 @@ void SceneCopy::begin(const Scene& scene, ros::Time now) {
   }
 }
 
-/// False if there is none: neither a body nor a frame.
+/// Copies the next bodies, or the next frame of the robot. False if nothing is left.
 bool SceneCopy::copyNext(const Scene& scene) {
   if (copyNextBody(scene)) return true;
   if (!request_.has_robot_frames || !model_->robot) return false;
@@ -155,15 +157,15 @@ void SceneCopy::copyLink(const Scene& scene, std::size_t link) {
   body.link = link;
   body.incomplete = !body.bounded->isWhole();
   body.reason = body.bounded->missing;
-  // After a ~reload this may be another model than the scene has.
+  // After a ~reload, model_ may differ from the model of the scene.
   const auto frame =
       scene.links.model() == model_.get() ? scene.links.frame(link) : tf.find(model_->frames[link]);
   if (frame && !body.bounded->shapes.empty()) body.frame = past_->excerpt.add(tf, *frame);
   past_->bodies.push_back(std::move(body));
 }
 
-/// An object that does not follow its frame, or that a neighbour moves, stays where its last box
-/// is, unless neighbours follow.
+/// An object that follows its frame moves with it, and so does a neighbour's box if
+/// isNeighbourElsewhere(). All other objects stay at their last box.
 void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   const TransformBuffer& tf = scene.frames.tf();
   PastBody body;
@@ -197,8 +199,9 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   past_->bodies.push_back(std::move(body));
 }
 
-/// Whether it is a neighbour's box in another frame than the fixed one. One that is attached to a
-/// link moves with that link if its own frame rests.
+/// Whether the object is a neighbour's box that moves with its frame, which is not the fixed frame:
+/// see BoxRequest::neighbours_follow. A box that is attached to a link instead moves with that link
+/// if its own frame is at rest.
 bool SceneCopy::isNeighbourElsewhere(const Scene& scene, const LiveObject& object) const {
   const ObjectContent& content = *object.content;
   if (!request_.neighbours_follow || !content.is_neighbour || content.stamp == 0 ||
@@ -208,13 +211,15 @@ bool SceneCopy::isNeighbourElsewhere(const Scene& scene, const LiveObject& objec
   return object.header.pose().stamp != 0 || !bodyOf(*model_, {&content.bounded.name, std::nullopt});
 }
 
-/// Whether tf tells where a link was when the object was placed. In another fixed frame its place
-/// is that of a later time.
+/// Whether the object's place in the fixed frame is of the time of its stamp, so that heldPlace()
+/// may compare it with the link at that stamp. After a change of the fixed frame it is of a later
+/// time.
 bool SceneCopy::isHeldSince(const Scene& scene, const LiveObject& object) const {
   if (holders_.empty() || object.state.stamp == 0) return false;
   if (object.state.stamp != object.boxed.content->stamp) return false;
   if (object.placement) return object.placement->fixed_frame == scene.frames.fixedFrame();
-  // A neighbour's box follows its frame, so only in a frame that stands it is of its stamp.
+  // A neighbour's box follows its frame, so its place is of its stamp only if that frame is at
+  // rest.
   return object.content->is_neighbour && object.header.pose().stamp == 0;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Copies what a request needs of the scene, in pieces.
+// Copies in several steps the part of the scene that a request needs.
 #pragma once
 
 #include <chrono>
@@ -14,13 +14,13 @@
 
 namespace link_bounds {
 
-/// Made on any thread. The other functions are for the thread that owns the scene.
+/// The constructor may run on any thread, the other functions only on the scene's thread.
 class SceneCopy {
  public:
   SceneCopy(BoxRequest request, std::shared_ptr<const Model> model);
 
-  /// Copies for about that time; true when everything is there. It must always be the same scene;
-  /// between two calls it may change in any way.
+  /// Copies for about `budget`; true when the copy is complete. All calls must get the same scene,
+  /// which may change in any way between them.
   bool proceed(const Scene& scene, ros::Time now, std::chrono::nanoseconds budget);
 
   /// After proceed() returned true.
@@ -41,16 +41,16 @@ class SceneCopy {
 
   BoxRequest request_;
   std::shared_ptr<const Model> model_;
-  std::vector<std::size_t> links_;  ///< that are asked for
-  std::vector<ObjectKey> keys_;     ///< of the objects that are asked for by name
+  std::vector<std::size_t> links_;  ///< indices in the model of the requested links
+  std::vector<ObjectKey> keys_;     ///< of the objects that are requested by name
   std::vector<std::string> unknown_names_;
   std::vector<std::size_t> holders_;  ///< rigid body of each link; empty if nothing is attached
   std::unique_ptr<PastScene> past_;
-  std::uint64_t epoch_ = 0;               ///< of tf, to which PastScene::now belongs
+  std::uint64_t epoch_ = 0;               ///< epoch of tf when PastScene::now was set
   std::size_t next_link_ = 0;             ///< in links_
   std::size_t next_key_ = 0;              ///< in keys_
-  std::optional<ObjectKey> last_object_;  ///< if all are asked for
-  std::size_t next_frame_ = 0;            ///< of the links of the robot
+  std::optional<ObjectKey> last_object_;  ///< the last one copied, if all are requested
+  std::size_t next_frame_ = 0;            ///< index of the robot's link whose frame comes next
 };
 
 }  // namespace link_bounds

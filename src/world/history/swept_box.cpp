@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes at all samples, and between them as often as a face could lie too far outside.
+// Makes boxes at all samples, and between samples until no face lies too far outside.
 #include "world/history/swept_box.h"
 
 #include <cmath>
@@ -10,10 +10,11 @@
 namespace link_bounds {
 namespace {
 
-/// By how much a face may lie outside [m]; the box is longer by two of them.
+/// Max distance by which a face may lie too far outside [m]. A side is longer by up to twice this.
 constexpr double kSmoothTolerance = 4e-4;
 
-/// No more poses than this between samples: half a second. Beyond it the box is larger.
+/// Max number of poses between samples, about half a second of work. If it is reached, the box is
+/// larger than necessary.
 constexpr int kMaxPoses = 1000000;
 
 constexpr const char* kNotFinite = "a pose is not finite, or too large for a box";
@@ -26,7 +27,7 @@ class Hull {
 
   explicit Hull(const BoundedLink& link) : link_(link) {}
 
-  /// Most motions between samples are inside of the boxes at these.
+  /// Extends the hull at once, because most motions between samples stay in the boxes at samples.
   std::optional<Aabb> make(std::int64_t, const Eigen::Affine3d& target_from_link) {
     std::optional<Aabb> box = linkBox(link_, target_from_link);
     if (box) hull_.extend(*box);
@@ -50,7 +51,7 @@ class Hull {
  private:
   const BoundedLink& link_;
   Aabb hull_;
-  int poses_ = 0;  ///< between samples
+  int poses_ = 0;  ///< number of poses between samples
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The box that a link never leaves during its motion.
+// A box that a link does not leave during a recorded motion.
 #pragma once
 
 #include <functional>
@@ -12,10 +12,10 @@
 
 namespace link_bounds {
 
-/// The problem if it was given up.
+/// SweptBox::problem if `gives_up` returned true.
 constexpr const char* kNotInTime = "there was no time to compute its box";
 
-/// How far the points of the link's shapes are from the origin of its frame [m], at most.
+/// Max distance of the points of the link's shapes from the origin of its frame [m].
 double radiusOf(const BoundedLink& link);
 
 struct SweptBox {
@@ -24,14 +24,14 @@ struct SweptBox {
 };
 
 /// A box that contains the link's box in each pose that tf2 gives for the frame `source` in the
-/// frame `target` at a time of the span, interpolated or not. Along no axis is it longer than the
-/// box around all of those by more than 1 mm + 1 %, unless a motion is so wild that a million
-/// poses do not suffice.
+/// frame `target` at a time of the span, interpolated or not. Along each axis it is longer than the
+/// smallest such box by at most 1 mm + 1 %, unless the motion is so fast that a million poses do
+/// not suffice.
 ///
 /// There is no box if tf does not know the whole motion: if a history does not cover the span, if
-/// an edge between the frames changes its parent meanwhile, if two samples that follow each other
-/// are further apart than `timeout` (seconds; 0: they may be), or if a pose is not finite. Nor is
-/// there one if `gives_up`, which is asked often, returns true before the box is proven.
+/// an edge between the frames changes its parent meanwhile, if two successive samples are further
+/// apart than `timeout` (seconds; 0: no limit), or if a pose is not finite. There is also none if
+/// `gives_up`, which is called often, returns true before the box is proven.
 SweptBox sweptBox(
     const TransformBuffer& tf, TransformBuffer::Frame target, TransformBuffer::Frame source,
     MotionSpan span, const BoundedLink& link, double timeout,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the inside out: each frame after the one that its edge leads to.
+// Computes each frame after its parent.
 #include "world/history/way_bound.h"
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace link_bounds {
 namespace {
 
-/// The angle T of an edge comes from the chord of its two quaternions: T <= 1.111 |q1 - q0| for all
-/// angles up to pi/2. It is pi/2 / sqrt(2), rounded up by more than lengths within kMaxLength2Error
-/// of 1 can add.
+/// The angle T of an edge follows from the chord of its two quaternions: T <= 1.111 |q1 - q0| for
+/// all angles up to pi/2. The factor is pi/2 / sqrt(2), rounded up by more than quaternions whose
+/// squared length is within kMaxLength2Error of 1 can add.
 constexpr double kAnglePerChord = 1.111;
-constexpr double kMaxLength2Error = 1e-6;  // of squares of lengths of quaternions
+constexpr double kMaxLength2Error = 1e-6;  // of squared lengths of quaternions
 
 struct Square {
-  double chord2;  ///< of two quaternions, of which one is negated if they are nearer then
+  double chord2;  ///< squared distance of two quaternions, or of one and the other negated: the min
   double length2_error;
   double length2_change;
 };
@@ -55,9 +55,10 @@ double shiftOf(const Tf2Pose& a, const Tf2Pose& b) {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-constexpr double kWayRounding = 1e-12;  // of all coordinates, as share of the largest
+constexpr double kWayRounding = 1e-12;  // of all coordinates, relative to the largest
 
-/// From the child of `inner` to the parent of `outer`, whose child is the parent of `inner`.
+/// The edge from the child of `inner` to the parent of `outer`. The parent of `inner` is the child
+/// of `outer`.
 EdgeWay chained(const EdgeWay& outer, const EdgeWay& inner) {
   EdgeWay result;
   result.scale = outer.scale * inner.scale;
@@ -80,7 +81,7 @@ const std::optional<EdgeWay>& EdgeWays::during(Frame child, MotionSpan span) {
   return last.way;
 }
 
-/// From the newest sample back to the last one that is not within the span.
+/// Goes back from the newest sample to the last one at or before the begin of the span.
 std::optional<EdgeWay> EdgeWays::look(Frame child, MotionSpan span) const {
   const EdgeHistory* const history = tf_.history(child);
   if (!history || history->samples().isEmpty() || !tf_.hasParent(child)) return std::nullopt;
@@ -141,7 +142,7 @@ double WayBound::of(Frame source, double radius, MotionSpan span) {
   return all < kInfinite ? all : kInfinite;  // nor NaN, which an infinite length times 0 gives
 }
 
-/// The frames above the target come first: their nodes are where all ways end.
+/// Makes the nodes of the target and its ancestors first, because all ways end at one of them.
 void WayBound::begin(MotionSpan span) {
   version_ = tf_.version();
   span_ = span;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How long the way of any point of a link is, at most: a bound that costs some 30 ns for a link, so
-// that only motions near something need the walk of motion_walk.h.
+// An upper bound of the path length of each point of a link. It takes some 30 ns per link, so that
+// only links near other bodies need the walk of motion_walk.h.
 //
-// It is step 3 of deviation_bound.h without accelerations: what an edge adds is its turn times the
-// distance of the point from the child's origin, and its shift. Both are linear in that distance,
-// so that one look at each edge serves all links behind it.
+// It is step 3 of deviation_bound.h without accelerations: an edge adds its turn times the distance
+// of the point from the child's origin, plus its shift. That is linear in the distance, so that one
+// look at each edge serves all links below it.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,21 @@
 
 namespace link_bounds {
 
-/// How much an edge of tf, or several in a row, do during a span, whatever is behind them: from the
-/// child to its parent, as tf2 interpolates; all are the largest during the span. A point at a
-/// distance x from the origin of the child, which moves there by w, has in the parent at most the
-/// distance `distance` + scale x and the way shift + turn x + scale w.
+/// The motion of an edge of tf, or of several in a row, from child to parent during a span, as tf2
+/// interpolates. Each number is an upper bound for the whole span. A point whose distance from the
+/// origin of the child is x, and whose path in the child has length w, has in the parent at most
+/// the distance `distance` + scale x and the path length shift + turn x + scale w.
 struct EdgeWay {
   double scale = 1;     ///< |q|^2
   double inverse = 1;   ///< 1 / |q|^2
-  double turn = 0;      ///< [rad], of the product, which turns by twice the angle of quaternions
+  double turn = 0;      ///< rotation angle [rad], twice the angle between the quaternions
   double stretch = 0;   ///< e of deviation_bound.h
-  double shift = 0;     ///< [m]
-  double distance = 0;  ///< of the child's origin from the parent's [m]
+  double shift = 0;     ///< path length of the child's origin in the parent [m]
+  double distance = 0;  ///< between the origins of child and parent [m]
 };
 
-/// Remembers the last look at each edge, so that all who bound ways in different frames share it:
-/// of zones in two frames each edge is looked at once.
+/// Caches the motion of each edge. WayBounds with different target frames share it: for zones in
+/// two frames each edge is read once.
 class EdgeWays {
  public:
   using Frame = TransformBuffer::Frame;
@@ -41,8 +41,9 @@ class EdgeWays {
 
   const TransformBuffer& tf() const { return tf_; }
 
-  /// Nothing if that is not known in this cheap way: the history does not cover the span, the edge
-  /// changes its parent, or a quaternion is not of length 1. Valid until the next call.
+  /// The motion of the edge above `child`. Nothing if this fast method cannot bound it: the history
+  /// does not cover the span, the edge changes its parent, or a quaternion does not have length 1.
+  /// Valid until the next call.
   const std::optional<EdgeWay>& during(Frame child, MotionSpan span);
 
  private:
@@ -65,23 +66,23 @@ class WayBound {
   /// Bounds ways in the frame `target`. `edges` and its tf must outlive this.
   WayBound(EdgeWays& edges, Frame target) : edges_(edges), tf_(edges.tf()), target_(target) {}
 
-  /// No point that is at most `radius` from the origin of `source` [m] has a longer way during the
-  /// span, as tf2 interpolates [m]. Infinite if EdgeWays does not know an edge. Between two calls
-  /// tf may have changed.
+  /// Upper bound of the path length during the span [m], as tf2 interpolates, of each point that is
+  /// at most `radius` [m] from the origin of `source`. Infinite if EdgeWays cannot bound an edge.
+  /// tf may change between two calls.
   double of(Frame source, double radius, MotionSpan span);
 
  private:
   struct Node {
-    std::uint64_t run = 0;  ///< in which it was computed
+    std::uint64_t run = 0;  ///< value of run_ when it was computed
     bool is_known = false;
-    std::size_t height = 0;  ///< of the frame above the target that its way leads to
+    std::size_t height = 0;  ///< index in heights_ of the first common ancestor with the target
     EdgeWay top_from_node;
   };
 
-  /// From the target up to one of the frames above it.
+  /// The way from the target up to one of its ancestors, the top.
   struct Height {
     EdgeWay top_from_target;
-    double turned_turn = 0;  ///< back from the top into the axes of the target
+    double turned_turn = 0;  ///< for vectors turned from the axes of the top into the target's
     double turned_scale = 1;
   };
 

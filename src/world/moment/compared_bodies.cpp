@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Most bodies have a partner among the first few. Where many have none, such as objects that
-// ignore_pairs leaves out, only one of those that are alike is compared with all others.
+// Most bodies have a partner among the first few that are tried. If many have none, such as objects
+// in ignore_pairs, only one body of each kind is compared with all others.
 #include "world/moment/compared_bodies.h"
 
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kFew = 16;
 
-/// Bodies of equal kind are left out with the same other ones.
+/// Bodies of the same kind are excluded from comparison with the same other bodies.
 struct Kind {
   std::optional<std::size_t> rigid_body;  ///< of a link, or of an object that is attached
   std::vector<std::string> ignored_with;  ///< names and patterns
@@ -28,7 +28,7 @@ Kind kindOf(const Model& model, const PairMember& member) {
   return {bodyOf(model, member), model.ignored_pairs.partnersOf(*member.name)};
 }
 
-/// From the body after it on, and round.
+/// Tries all other bodies, from the next index on and around the end of the list.
 bool hasPartner(const Moment& moment, std::size_t body, std::map<Kind, bool>& known) {
   const std::size_t count = moment.bodies.size();
   const PairMember member = moment.member(body);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which bodies are compared at all.
+// Finds the bodies that are compared with any other body.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace link_bounds {
 
-/// Of each body of the moment, whether the rule of pairs compares it with any other one. `pairs`
-/// are some that it compares.
+/// For each body of the moment: whether isPair() holds for it and any other body. `pairs` are some
+/// pairs that are known to be compared.
 std::vector<bool> areCompared(const Moment& moment, const std::vector<BoxPair>& pairs);
 
 }  // namespace link_bounds

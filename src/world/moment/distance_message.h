@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From pairs of bodies to messages.
+// Converts pairs of bodies to messages.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ BodyDistance bodyDistanceOf(const Distance& message);
 
 BoxOverlap toMessage(const Moment& moment, const BoxPair& pair);
 
-/// The pair of the smallest lower bound. If no pair is within the limit [m]: nothing is nearer than
-/// that.
+/// The pair with the smallest lower bound. Without pairs, a distance of `limit` [m] without names:
+/// no pair is nearer than that.
 Distance nearestOf(const std::vector<Distance>& distances, double limit);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A body is made again if its content changed or a tree of its triangles came.
+// Rebuilds a body if its content changed or if a triangle tree that it lacks may have arrived.
 #include "world/moment/live_bodies.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void LiveBodies::update(const MomentPtr& moment, TriangleTrees::Time now) {
   removeUnseen();
 }
 
-/// Objects are added again with the first moment. Trees stay as long as their points.
+/// Forgets all bodies; the next moment adds them again. Trees stay as long as their points.
 void LiveBodies::adopt(const std::shared_ptr<const Model>& model) {
   model_ = model;
   distances_ = BodyDistances();

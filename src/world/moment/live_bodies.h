@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The bodies of one moment after another, which come, move, change and go.
+// Tracks the bodies of successive moments, which appear, move, change and disappear.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ class LiveBodies {
  public:
   explicit LiveBodies(TreeRequests requests) : trees_(std::move(requests)) {}
 
-  /// Takes the bodies of a moment over.
+  /// Takes over the bodies of a moment.
   void update(const MomentPtr& moment, TriangleTrees::Time now);
 
   /// The distance of two bodies, given by their indices in the last moment.
@@ -27,7 +27,7 @@ class LiveBodies {
     return distances_.find(slots_of_bodies_[first], slots_of_bodies_[second]);
   }
 
-  /// As find(), but carries along what was found before where that is good enough.
+  /// As find(), but reuses the previous result for the pair if it is still accurate enough.
   std::optional<BodyDistance> follow(std::size_t first, std::size_t second) {
     return distances_.follow(slots_of_bodies_[first], slots_of_bodies_[second]);
   }
@@ -35,12 +35,12 @@ class LiveBodies {
   /// The shapes of a body, given by its index in the last moment.
   const Body& body(std::size_t index) const { return *slots_[slots_of_bodies_[index]].body; }
 
-  /// The same, which stays when the body is gone.
+  /// As body(), but the shapes outlive the body.
   const std::shared_ptr<const Body>& sharedBody(std::size_t index) const {
     return slots_[slots_of_bodies_[index]].body;
   }
 
-  /// As find(), with another limit [m], and remembers nothing of the pair.
+  /// As find(), with another limit [m], and caches nothing about the pair.
   std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
     return distances_.findOnce(slots_of_bodies_[first], slots_of_bodies_[second], limit);
   }
@@ -53,11 +53,11 @@ class LiveBodies {
   TriangleTrees& trees() { return trees_; }
 
  private:
-  /// Where BodyDistances has a body.
+  /// The entry of a body in BodyDistances; both have the same index.
   struct Slot {
     std::shared_ptr<const ObjectContent> object;  ///< null for links
     std::shared_ptr<const Body> body;
-    std::optional<Eigen::Affine3d> pose;  ///< the last one
+    std::optional<Eigen::Affine3d> pose;  ///< the latest one
     bool lacks_trees = false;
     std::uint64_t seen = 0;  ///< number of the last moment that had the body
   };
@@ -73,11 +73,12 @@ class LiveBodies {
   std::uint64_t trees_version_ = 0;
   BodyDistances distances_;
   std::shared_ptr<const Model> model_;
-  std::map<const PointSet*, const std::string*> mesh_uris_;  ///< of links
-  std::vector<Slot> slots_;                                  ///< links first, then objects
-  std::map<std::string, std::size_t> objects_;               ///< slots by name
+  std::map<const PointSet*, const std::string*>
+      mesh_uris_;                               ///< URIs of the links' meshes, by points
+  std::vector<Slot> slots_;                     ///< links first, then objects
+  std::map<std::string, std::size_t> objects_;  ///< slots by name
   std::vector<std::size_t> free_slots_;
-  std::vector<std::size_t> slots_of_bodies_;  ///< of the last moment
+  std::vector<std::size_t> slots_of_bodies_;  ///< one per body of the last moment
   std::uint64_t moment_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Copies poses and stamps; shapes are shared.
+// Copies boxes, poses and stamps; shapes are shared.
 #include "world/moment/moment.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One list, which the next moment overwrites: in the end nothing is allocated.
+// Each moment overwrites the same lists, so that after some moments nothing is allocated.
 #include "world/moment/moment_pairs.h"
 
 #include <algorithm>

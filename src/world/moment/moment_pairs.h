@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The near pairs of a moment, searched once for all who ask.
+// The near pairs of a moment, searched once for all users.
 #pragma once
 
 #include <atomic>
@@ -14,14 +14,13 @@
 
 namespace link_bounds {
 
-/// Any thread may call its functions. The only result that is kept is that of the last moment that
-/// was asked for; the next one replaces it.
+/// Thread-safe. Caches the result for the last moment only.
 class MomentPairs {
  public:
-  /// Calls read(pairs): NearPairs of bodies whose boxes are at most `margin` apart [m], by the rule
-  /// of pairs of the moment's model; maybe also some that are farther apart. Those that are left
-  /// out are within distance_limit, and at most max_pairs. Meanwhile other threads wait. False if
-  /// `is_over`, which is asked now and then, said so.
+  /// Calls read(pairs). NearPairs::compared has all pairs whose boxes are at most `margin` apart
+  /// [m] and for which isPair() holds, and maybe some that are farther apart. NearPairs::left_out
+  /// has at most max_pairs other pairs within distance_limit. Other threads wait until read()
+  /// returns. False if `is_over`, which is called now and then, returned true.
   template <class Read>
   bool read(
       const MomentPtr& moment, double margin, Read&& read,
@@ -32,7 +31,7 @@ class MomentPairs {
     return true;
   }
 
-  /// The largest margin that anybody will ask for [m], so that one search suffices.
+  /// Sets the largest margin that any user will ask for [m], so that one search suffices.
   void expect(double margin) { expected_ = margin; }
 
   /// Frees the memory that is kept between moments.
@@ -43,11 +42,11 @@ class MomentPairs {
 
   std::mutex mutex_;
   std::atomic<double> expected_{0};
-  NearPairSearch search_;  ///< this and what follows: guarded by mutex_
+  NearPairSearch search_;  ///< guarded by mutex_, as are all members below
   std::vector<Aabb> boxes_;
   NearPairs pairs_;
-  std::weak_ptr<const Moment> moment_;  ///< of the pairs; the next one replaces them
-  double margin_ = 0;                   ///< of the pairs [m]
+  std::weak_ptr<const Moment> moment_;  ///< of pairs_
+  double margin_ = 0;                   ///< of pairs_ [m]
 };
 
 }  // namespace link_bounds

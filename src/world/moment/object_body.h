@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From what a marker draws to the body whose distance is computed.
+// Makes of a marker's content the body whose distances are computed.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace link_bounds {
 
-/// Whether the body has triangles, segments or points that a tree can hold; else it is made of
-/// solids.
+/// Whether the body has triangles, segments or points, which are held in a tree. Otherwise it
+/// consists of solids.
 bool hasTree(const ObjectContent& content);
 
-/// The tree of the triangles, segments or points of a list. Not for a mesh. What `check_interrupt`
-/// throws ends it.
+/// The tree of the triangles, segments or points of a list, not of a mesh. `check_interrupt` may
+/// throw to abort it.
 MadeTree listTree(const ObjectContent& content, const CheckInterrupt& check_interrupt = nullptr);
 
 /// `triangles` may be null.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// As many pairs as one message may have: the nearest ones.
+// The nearest pairs, as many as one message may have.
 #pragma once
 
 #include <algorithm>
@@ -29,10 +29,10 @@ class PairHeap {
 
   bool isFull() const { return pairs_.size() == max_; }
 
-  /// Lower bound of the farthest pair. It must be full.
+  /// Lower bound of the distance of the farthest pair. The heap must be full.
   double farthest() const { return pairs_.front().distance.lower; }
 
-  /// Adds a pair. If that is one too many, removes the farthest pair and returns it.
+  /// Adds a pair. If there are then more than `max`, removes the farthest pair and returns it.
   std::optional<FoundPair> add(FoundPair pair) {
     pairs_.push_back(std::move(pair));
     if (isFull()) std::make_heap(pairs_.begin(), pairs_.end(), isNearer);
@@ -44,7 +44,7 @@ class PairHeap {
     return farthest;
   }
 
-  /// All pairs, sorted by first, then by second. None are left.
+  /// Moves out all pairs, sorted by first, then by second.
   std::vector<FoundPair> take() {
     const auto isBefore = [](const FoundPair& a, const FoundPair& b) {
       return std::tie(a.first, a.second) < std::tie(b.first, b.second);
@@ -61,7 +61,7 @@ class PairHeap {
   }
 
   std::size_t max_;
-  std::vector<FoundPair> pairs_;  ///< once full, a heap, the farthest first
+  std::vector<FoundPair> pairs_;  ///< once full, a heap with the farthest pair first
 };
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes choose the pairs, BodyDistances measures them.
+// Selects pairs by their boxes and measures them with BodyDistances.
 #include "world/moment/scene_distances.h"
 
 #include <algorithm>
@@ -18,15 +18,16 @@ namespace {
 /// fewer than 10,000; the limit bounds the time that hostile meshes take.
 constexpr std::size_t kMaxSteps = 100'000;
 
-/// The other way round, because the heap functions of std put the largest first.
+/// Reversed order for the heap functions of std, which put the largest first.
 bool isFarther(const BoxPair& a, const BoxPair& b) {
   return std::tie(a.distance, a.first, a.second) > std::tie(b.distance, b.first, b.second);
 }
 
 }  // namespace
 
-/// If there may be too many pairs, boxes decide in which order bodies are measured, and where a
-/// full list ends the search: no pair is nearer than its boxes, nor nearer than 0.
+/// If there may be too many pairs, measures them in the order of their boxes' distance. Once the
+/// list is full, the search ends at the first pair whose boxes are farther apart than the farthest
+/// listed pair: no pair is nearer than its boxes, nor nearer than 0.
 std::optional<ComputedDistances> SceneDistances::compute(const MomentPtr& moment,
                                                          MomentPairs& pairs,
                                                          TriangleTrees::Time now,
@@ -58,7 +59,7 @@ std::optional<ComputedDistances> SceneDistances::compute(const MomentPtr& moment
   return result(moment, nearest.take());
 }
 
-/// False if it was cancelled.
+/// Fills candidates_ and not_compared_. False if it was cancelled.
 bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
                                     const std::function<bool()>& is_cancelled,
                                     const Concerns& concerns) {
@@ -79,7 +80,7 @@ bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
   return true;
 }
 
-/// Of a pair that may push another one out, nothing is remembered: there may be very many.
+/// Caches nothing for pairs after the list is full, because there may be very many.
 std::optional<BodyDistance> SceneDistances::distanceOf(const BoxPair& pair,
                                                        const PairHeap& nearest) {
   if (nearest.isFull()) return bodies_.findOnce(pair.first, pair.second, nearest.farthest());

@@ -16,30 +16,30 @@
 namespace link_bounds {
 
 struct ComputedDistances {
-  MomentPtr moment;  ///< of which they were computed
+  MomentPtr moment;  ///< from which they were computed
   DistanceArray array;
   Distance nearest;
-  std::array<std::size_t, 3> levels{};  ///< pairs in the array by what decided them
-  std::size_t left_out = 0;             ///< pairs that may be within the limit, see max_pairs
+  std::array<std::size_t, 3> levels{};  ///< number of pairs in the array by Distance::level
+  std::size_t left_out = 0;             ///< pairs beyond max_pairs that may be within the limit
 
-  // The same as in the array, but by indices of the moment's bodies: names need not be unique.
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< of each of its distances
-  std::vector<bool> is_complete;                           ///< of each body
+  // As in the array, but with indices of the moment's bodies, because names need not be unique.
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< one per distance of the array
+  std::vector<bool> is_complete;                           ///< one per body of the moment
 };
 
 /// Not thread-safe; belongs to one thread.
 class SceneDistances {
  public:
-  /// Where `are_carried`, a pair of bodies that have moved little is not searched, see
-  /// BodyDistances::follow().
+  /// With `are_carried`, uses BodyDistances::follow(), which does not search a pair again whose
+  /// bodies have moved little.
   explicit SceneDistances(TreeRequests requests, bool are_carried = false)
       : bodies_(std::move(requests)), are_carried_(are_carried) {}
 
   using Concerns = std::function<bool(std::size_t first, std::size_t second)>;
 
-  /// `pairs` may be shared with other users of the moment. Nothing if `is_cancelled` returns true
-  /// before the end; it is called for each pair. Bodies of the moment that do not concern, if that
-  /// is given, are not measured, as if they were far apart.
+  /// `pairs` may be shared with other users of the moment. Nothing if `is_cancelled`, which is
+  /// called for each pair, returns true before the end. If `concerns` is given, pairs for which it
+  /// returns false are not measured, as if they were far apart.
   std::optional<ComputedDistances> compute(const MomentPtr& moment, MomentPairs& pairs,
                                            TriangleTrees::Time now,
                                            const std::function<bool()>& is_cancelled,
@@ -47,7 +47,7 @@ class SceneDistances {
 
   TriangleTrees& trees() { return bodies_.trees(); }
 
-  /// As of the last moment.
+  /// The bodies of the last moment.
   const LiveBodies& bodies() const { return bodies_; }
 
  private:
@@ -61,11 +61,11 @@ class SceneDistances {
 
   LiveBodies bodies_;
   bool are_carried_;
-  std::vector<BoxPair> candidates_;     ///< not measured yet, the next one last
-  std::vector<BoxPair> not_compared_;   ///< near by their boxes, but left out by the rule of pairs
-  std::vector<bool> is_incomplete_;     ///< of the bodies, as the next two
-  std::vector<bool> is_compared_;       ///< with any other one
-  std::vector<bool> are_pairs_listed_;  ///< all of those that are not compared
+  std::vector<BoxPair> candidates_;     ///< pairs to measure; the last one is measured next
+  std::vector<BoxPair> not_compared_;   ///< pairs of near boxes for which isPair() is false
+  std::vector<bool> is_incomplete_;     ///< one per body, as the next two
+  std::vector<bool> is_compared_;       ///< the body is compared with any other one
+  std::vector<bool> are_pairs_listed_;  ///< not_compared_ has all such pairs of the body
   std::size_t left_out_ = 0;
 };
 

@@ -8,13 +8,14 @@
 namespace link_bounds {
 namespace {
 
-/// Building a tree takes about 1.5 us per triangle, so only a list that stays gets one.
+/// A list gets a tree if it has not changed for this time: building takes some 1.5 us per triangle.
 constexpr std::chrono::milliseconds kSettled(500);
 
 }  // namespace
 
-/// The entry of these points, and whether it is new: then it gets them once its tree is requested,
-/// which may throw. Other points may have had the same address.
+/// The entry of these points, and whether it is new. The caller sets the points of a new entry
+/// after requesting its tree, which may throw. An old entry at this key may be of freed points that
+/// had the same address.
 std::pair<TriangleTrees::Entry&, bool> TriangleTrees::entryOf(
     const std::shared_ptr<const PointSet>& points) {
   Entry& entry = entries_[points.get()];

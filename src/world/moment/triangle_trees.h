@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The trees of triangles that distances need: requested when they are first needed.
+// The triangle trees for distances. Each is requested when it is first needed.
 #pragma once
 
 #include <chrono>
@@ -16,20 +16,20 @@ namespace link_bounds {
 
 /// A tree, or why there is none.
 struct MadeTree {
-  std::weak_ptr<const PointSet> points;  ///< to which it belongs
+  std::weak_ptr<const PointSet> points;  ///< points of the mesh or list that the tree is of
   std::shared_ptr<const TriangleTree> triangles;
   std::string error;  ///< "" if there is a tree
 };
 
-/// How trees are requested. Both return at once; the tree comes back through TriangleTrees::add().
-/// A request must not keep points or a list alive while it waits: once they are replaced or gone,
-/// nobody waits for the tree.
+/// Functions that request trees. Both return at once; the tree comes back through
+/// TriangleTrees::add(). A waiting request must not keep the points or the list alive: once they
+/// are replaced or gone, nobody needs the tree.
 struct TreeRequests {
   std::function<void(const std::string& mesh_uri, const std::shared_ptr<const PointSet>&)> mesh;
   std::function<void(std::shared_ptr<const ObjectContent> list)> list;
 };
 
-/// A cache by points. An entry dies with its points, which it does not keep alive.
+/// A cache of trees by points. An entry does not keep its points alive, and is erased after them.
 class TriangleTrees {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -37,14 +37,14 @@ class TriangleTrees {
 
   explicit TriangleTrees(TreeRequests requests) : requests_(std::move(requests)) {}
 
-  /// The tree of these points, which are those of a mesh file. Null if there is none yet.
+  /// The tree of the points of a mesh file. Requests it on first use; null until it is there.
   Tree ofMesh(const std::string& uri, const std::shared_ptr<const PointSet>& points);
 
-  /// The same for the points of a list, which is requested when it has not changed for a while: a
-  /// list that deforms all the time would only cost time.
+  /// As ofMesh() for the points of a list. Its tree is requested once the list has not changed for
+  /// a while, because a tree of a list that changes all the time would be useless.
   Tree ofList(const std::shared_ptr<const ObjectContent>& content, Time now);
 
-  /// To be called now and then: requests the trees of lists that have not changed for a while.
+  /// Requests the trees of lists that have not changed for a while. To be called now and then.
   void requestSettled(Time now);
 
   void add(const MadeTree& made);
@@ -52,7 +52,7 @@ class TriangleTrees {
   /// Changes with each add().
   std::uint64_t version() const { return version_; }
 
-  /// What had no tree is requested again when it is needed.
+  /// Allows trees that failed to be requested again when they are needed.
   void forgetErrors();
 
   /// Erases the entries of points that are gone.

@@ -14,17 +14,17 @@ namespace link_bounds {
 
 class PathCheck {
  public:
-  /// What pathScene() and PlannedTrajectory throw.
+  /// Throws what pathScene() and PlannedTrajectory throw.
   PathCheck(PastScene& scene, CheckPath::Request& request, const PathTrees& trees,
             const PathLimits& limits);
   PathCheck(const PathCheck&) = delete;
   PathCheck& operator=(const PathCheck&) = delete;
 
-  /// Works for about that time, on one segment at least; true when all are done. Once `is_over`,
-  /// which is asked often, returns true, the rest is undecided.
+  /// Works for about `budget`, on at least one segment; true when all are done. Once `is_over`,
+  /// which is called often, returns true, the remaining segments are undecided.
   bool proceed(std::chrono::nanoseconds budget, const std::function<bool()>& is_over);
 
-  /// After proceed() returned true.
+  /// To be called once, after proceed() returned true.
   CheckPath::Response take();
 
  private:
@@ -33,7 +33,7 @@ class PathCheck {
   const std::set<std::string> joints_;  ///< of the trajectory, see plannedJoints()
   PathScene scene_;
   PlannedTrajectory trajectory_;
-  std::vector<Limits> ranges_;  ///< which no motion leaves
+  std::vector<Limits> ranges_;  ///< ranges of joint values that no motion leaves
   PathProver prover_;
   CheckPath::Response response_;
   std::size_t undecided_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// First the joints that rest, then bodies on links, then pairs.
+// Fixes the joints that rest, then places bodies on links, then makes pairs.
 #include "world/path/path_scene.h"
 
 #include <algorithm>
@@ -21,11 +21,12 @@ namespace {
 
 using Frame = TransformBuffer::Frame;
 
-/// The joints of the URDF that a trajectory moves, those that follow one of its joints among them.
+/// For each joint of the URDF: whether the trajectory moves it, directly or because it mimics one
+/// of the joints `names`.
 std::vector<bool> movedJoints(const Robot& robot, const std::set<std::string>& names) {
   const Robot simple = withSimpleJoints(robot);
   const std::vector<Lead> leads = leadsOf(simple);
-  std::map<std::string, std::vector<bool>> parts;  // by joint of the URDF: whether each part moves
+  std::map<std::string, std::vector<bool>> parts;  // by joint of the URDF, one per simple joint
   for (std::size_t i = 0; i < simple.joints.size(); ++i) {
     const Joint& joint = simple.joints[i];
     const bool moves = names.count(simple.joints[leads[i].leader].name) > 0;
@@ -83,8 +84,8 @@ class SceneMaker {
     return describe(tracker_.keep(frame).problem, tf_.name(frame), tf_.name(scene_.target));
   }
 
-  /// The pose of the joint's child in that of its parent, as tf has it now; else the reason. A
-  /// fixed joint has one pose, whether tf connects it with the fixed frame or not.
+  /// Finds the latest pose of the joint's child in its parent. Returns why there is none, or "".
+  /// The pose of a fixed joint counts even if tf does not connect it with the fixed frame.
   std::string findPose(const Joint& joint, Eigen::Isometry3d& parent_from_child) {
     const auto& parent = scene_.robot_frames[joint.parent];
     const auto& child = scene_.robot_frames[joint.child];
@@ -97,8 +98,9 @@ class SceneMaker {
     return "tf has no usable pose of " + link + " in that of its parent";
   }
 
-  /// A joint that the trajectory moves must fit its transform, where tf has it. If it has one
-  /// value, its axis is where tf has it: a calibrated robot differs a little from its description.
+  /// A joint that the trajectory moves must fit its transform if tf has one. The axis of a joint
+  /// with one value is taken from tf, because a calibrated robot differs a little from its
+  /// description.
   void moveFromTf(Joint& joint) {
     Eigen::Isometry3d parent_from_child;
     const bool has_axis = hasValue(joint.motion) || joint.motion == Motion::kPlanar;
@@ -111,8 +113,8 @@ class SceneMaker {
       joint.parent_from_joint = parent_from_child * jointMotion(joint, fit.value).inverse();
   }
 
-  /// Replaces a joint by what tf says of it now. A fixed joint that tf does not have stays as the
-  /// robot description has it.
+  /// Fixes a joint at its latest pose in tf. A fixed joint that tf does not have keeps the pose of
+  /// the robot description.
   void rest(Joint& joint) {
     Eigen::Isometry3d parent_from_child;
     const std::string problem = findPose(joint, parent_from_child);
@@ -129,10 +131,10 @@ class SceneMaker {
   struct Carrier {
     std::size_t link;
     bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
-    bool is_known = true;       ///< false: it may be any link
+    bool is_known = true;       ///< false: the object may move with any link
     bool is_beside = false;     ///< it has a place of its own, see groundOf(); `link` is the root
-    /// The link, at rest, on which it moves as tf tells. Nobody tells whether a camera there saw
-    /// it, so that it stays behind a base that drives, or whether it is mounted there.
+    /// The resting link above the object's frame. It is unknown whether the object is mounted
+    /// there, or whether a camera there saw it, so that it stays behind when the base drives.
     std::optional<std::size_t> may_ride = std::nullopt;
   };
 
@@ -149,7 +151,7 @@ class SceneMaker {
     if (carrier.may_ride) addPlaced(body, {*carrier.may_ride}, problem);
   }
 
-  /// Where the carrier has the body.
+  /// Adds the body at its place on the carrier.
   void addPlaced(const PastBody& body, const Carrier& carrier, std::string problem) {
     PathBody placed{carrier.link, {}, false};
     if (body.frame) {
@@ -175,7 +177,7 @@ class SceneMaker {
     problems_.push_back(problem);
   }
 
-  /// On the link that carries it. Fills `problem` if its place is not known.
+  /// The object on the link that carries it. Fills `problem` if its place is not known.
   PathBody placedObject(const PastBody& body, const Carrier& carrier, std::string& problem) {
     const std::size_t link = carrier.link;
     PathBody result{link, {}, false};
@@ -212,7 +214,7 @@ class SceneMaker {
     return result;
   }
 
-  /// A frame as seen from another one, at the latest common time of the way between the two.
+  /// The pose of `frame` in `base` at the latest common time of the path between them.
   const FramePose& poseOn(Frame base, Frame frame) {
     const auto [tracker, is_new] = trackers_.try_emplace(base, tf_);
     if (is_new) tracker->second.setTarget(base, 0, scene_.now);
@@ -223,10 +225,11 @@ class SceneMaker {
     return describe(poseOn(base, frame).problem, tf_.name(frame), tf_.name(base));
   }
 
-  /// The frame in which the root and the frame of an object each have a place of their own, at its
-  /// newest time: a base may have driven on since the other one was sent. It is the first one above
-  /// both; and for what a camera of the robot saw, the fixed frame, or if that is on the robot, the
-  /// last one above it.
+  /// The frame in which the root and the frame of an object are located independently, each at its
+  /// own latest time, because the base may have driven on since the object's frame was sent. It is
+  /// the nearest common ancestor of both. If that is on the robot, as for what a camera of the
+  /// robot saw, it is the fixed frame; if that is on the robot, too, the topmost frame above the
+  /// root.
   Frame groundOf(Frame root, Frame frame) const {
     const std::vector<Frame> way = wayUp(tf_, root);
     const Frame meet = climb(tf_, frame, [&way](Frame at) {
@@ -236,14 +239,14 @@ class SceneMaker {
     return linkAbove(scene_.target) ? way.back() : scene_.target;
   }
 
-  /// The link below whose frame this one is, if there is one.
+  /// The link whose frame is this frame or the nearest one above it, if any.
   std::optional<std::size_t> linkAbove(Frame frame) const {
     const auto is_link = [&](Frame at) { return links_.count(at) > 0; };
     const auto found = links_.find(climb(tf_, frame, is_link));
     return found != links_.end() ? std::make_optional(found->second) : std::nullopt;
   }
 
-  /// That of the object's own frame.
+  /// The same for the object's own frame.
   std::optional<std::size_t> linkAbove(const PastBody& body) const {
     const auto frame = body.header ? body.header : body.frame;
     return frame ? linkAbove(*frame) : std::nullopt;
@@ -254,8 +257,8 @@ class SceneMaker {
     return above && isMoved(*above);
   }
 
-  /// Whether tf, or the object itself, tells that it rests in the fixed frame, if no link is above
-  /// it. A refused marker has no frame.
+  /// For an object without a link above it: whether it is known to rest in the fixed frame, because
+  /// it is a neighbour's box or because tf connects its frame. A refused marker has no frame.
   bool isKnownToRest(const PastBody& body) {
     if (body.object->is_neighbour) return true;
     const auto frame = body.header ? body.header : body.frame;
@@ -263,14 +266,14 @@ class SceneMaker {
     return tracker_.keep(*frame).problem != TransformProblem::kNoTransform;
   }
 
-  /// An object that was placed once has stayed in the fixed frame since. If the trajectory moves
-  /// that frame, the object need not follow.
+  /// An object that was placed once has stayed in the fixed frame since then. If the trajectory
+  /// moves that frame, the object may stay behind.
   bool mayStayBehind(const PastBody& body, std::size_t link) const {
     return !body.header && body.frame_from_body && !body.held && isMoved(link);
   }
 
-  /// The link of the robot to which the object is attached, or below whose frame its own one is.
-  /// What was placed once, or follows a frame that moves on a link that rests, is beside the robot.
+  /// The link of the robot to which the object is attached, or the link above its frame. An object
+  /// that no link carries is beside the robot; so is one whose frame moves on a link that rests.
   Carrier carrierOf(const PastBody& body) {
     const std::optional<std::size_t> above = linkAbove(body);
     if (body.held) return {body.held->link};
@@ -286,10 +289,10 @@ class SceneMaker {
     if (link == of_links.end()) return own;
     const auto held_by = static_cast<std::size_t>(link - of_links.begin());
     const bool is_one = rigid_.of_links[held_by] == rigid_.of_links[own.link];
-    return {held_by, true, is_one};  // else it moves with the one or with the other
+    return {held_by, true, is_one};  // if not is_one, it moves with either of the two links
   }
 
-  /// Why the place of an attached object on its link is not known; "" if it is.
+  /// Why the place of an attached object on its link is not known; "" if it is known.
   std::string whyNotHeld(const PastBody& body, Frame link) {
     constexpr char kNotKnown[] =
         "where it is on the link to which it is attached is not known; let it follow a frame of "
@@ -298,14 +301,14 @@ class SceneMaker {
     return areOneBody(link, *body.frame) ? "" : kNotKnown;
   }
 
-  /// Whether tf says once for all where the frames are on each other.
+  /// Whether only static transforms are between both frames.
   bool areOneBody(Frame a, Frame b) const {
     const std::vector<Frame> edges = edgesBetween(tf_, a, b);
     return std::all_of(edges.begin(), edges.end(),
                        [&](Frame frame) { return !tf_.hasParent(frame) || tf_.isStatic(frame); });
   }
 
-  /// Whether the object's own frame is that of a link or one that is static on it.
+  /// Whether the object's own frame is the frame of the link or static relative to it.
   bool isMounted(const PastBody& body, std::size_t link) const {
     const auto frame = body.header ? body.header : body.frame;
     return areOneBody(*scene_.robot_frames[link], *frame);
@@ -317,7 +320,7 @@ class SceneMaker {
 
   bool moves(std::size_t body) const { return isMoved(result_.bodies[body].link); }
 
-  /// Two bodies that both rest are no pair, so there are few of many objects.
+  /// Two bodies at rest are no pair, so that many objects make few pairs.
   void addPairs(const PathLimits& limits) {
     const std::size_t count = result_.bodies.size();
     is_incomplete_.assign(count, false);
@@ -349,7 +352,8 @@ class SceneMaker {
                                " pairs of bodies; leave some out with ~ignore_pairs");
   }
 
-  /// It may move with any link. A single pair tells that nothing is proven.
+  /// A stray may move with any link, so nothing about it can be proven. One pair with it suffices
+  /// to report that.
   void addStray(std::size_t stray, const PathLimits& limits) {
     checkTime(limits);
     for (std::size_t other = 0; other < members_.size() && !is_incomplete_[stray]; ++other) {
@@ -379,15 +383,15 @@ class SceneMaker {
   const Robot& original_;
   TransformBuffer& tf_;
   FrameTracker tracker_;
-  std::map<Frame, FrameTracker> trackers_;  ///< by the frame that is their target
+  std::map<Frame, FrameTracker> trackers_;  ///< by their target frame
   const PathTrees& trees_;
-  std::map<Frame, std::size_t> links_;  ///< of the robot
+  std::map<Frame, std::size_t> links_;  ///< index in the robot of the link of each frame
   const RigidBodies rigid_in_urdf_;
-  RigidBodies rigid_;                  ///< of the robot whose other joints are fixed
-  std::vector<PairMember> members_;    ///< of the bodies
-  std::vector<std::string> problems_;  ///< of the bodies
+  RigidBodies rigid_;                  ///< with all joints fixed that rest
+  std::vector<PairMember> members_;    ///< one per body
+  std::vector<std::string> problems_;  ///< one per body: why it is incomplete, or ""
   std::vector<std::size_t> strays_;    ///< bodies whose carrier is not known
-  std::vector<bool> is_incomplete_;    ///< of the bodies: whether a pair tells so
+  std::vector<bool> is_incomplete_;    ///< one per body: whether it is in a pair and not whole
   PathScene result_;
 };
 

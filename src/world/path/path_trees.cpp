@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files are read a few at a time, so that what was read until the end of a request serves the next.
+// Reads a few files at a time. If the time of a request is over, the next request continues from
+// there.
 #include "world/path/path_trees.h"
 
 #include <iterator>
@@ -13,7 +14,7 @@ namespace {
 constexpr std::size_t kFilesAtOnce = 8;
 constexpr const char* kNotLoaded = "its triangles were not loaded in time; ask again";
 
-/// Ends the making of a tree.
+/// Thrown to abort the making of a tree.
 struct Over {};
 
 }  // namespace
@@ -93,7 +94,7 @@ void PathTrees::add(const std::shared_ptr<const PointSet>& points,
   trees_[points.get()] = {points, std::move(tree)};
 }
 
-/// Other points may have had the same address.
+/// Compares the points, too: freed points may have had the same address.
 std::shared_ptr<const TriangleTree> PathTrees::treeOf(
     const std::shared_ptr<const PointSet>& points) const {
   const auto found = trees_.find(points.get());

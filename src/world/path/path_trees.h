@@ -15,26 +15,26 @@
 
 namespace link_bounds {
 
-/// A cache by points. Not thread-safe.
+/// A cache of triangle trees by mesh points. Not thread-safe.
 class PathTrees {
  public:
   using IsOver = std::function<bool()>;
 
-  /// As RobotLoader::loadTrees(); ends early once the function returns true.
+  /// Loads as RobotLoader::loadTrees() does, and ends early once IsOver returns true.
   using Load =
       std::function<std::vector<LoadedTree>(const std::vector<std::string>& uris, const IsOver&)>;
 
   explicit PathTrees(Load load) : load_(std::move(load)) {}
 
-  /// Loads what the bodies of the scene need, as far as there is time: a body whose triangles are
-  /// not there counts as its convex hull.
+  /// Loads the triangles of the bodies of the scene until `is_over` returns true. A body without
+  /// loaded triangles counts as its convex hull.
   void prepare(const PastScene& scene, const IsOver& is_over);
 
-  /// The body of a link, in its frame, or of an object, in its own, as of the last prepare().
+  /// The body of a link or of an object, in its own frame, with the triangles that are loaded.
   Body bodyOf(const BoundedLink& link) const;
   Body bodyOf(const ObjectContent& content) const;
 
-  /// Why the first body that lacks its triangles does so; "" if none does.
+  /// Why the triangles of the first body without them are missing; "" if none are missing.
   const std::string& problem() const { return problem_; }
 
   void forget() { trees_.clear(); }

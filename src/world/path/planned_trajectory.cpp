@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Way points stay in the message; the motion between two of them is made when it is examined.
+// Keeps the way points in the message, and makes the motion between two of them only when asked.
 #include "world/path/planned_trajectory.h"
 
 #include <algorithm>
@@ -96,7 +96,8 @@ WayPoint PlannedTrajectory::wayPoint(const Point& point) const {
           point.time_from_start.toSec()};
 }
 
-/// One per joint of the robot, 0 for those that the trajectory does not set; none of none.
+/// Numbers of the message as one per joint of the robot, 0 for joints that the trajectory does not
+/// set. Empty if `numbers` is empty.
 std::vector<double> PlannedTrajectory::spread(const std::vector<double>& numbers) const {
   if (numbers.empty()) return {};
   std::vector<double> result(joint_count_, 0.0);

@@ -14,28 +14,28 @@
 
 namespace link_bounds {
 
-/// The joints that a trajectory sets, by name: those that mimic another joint do not count. Throws
-/// std::runtime_error, with the remedy, for a name that is there twice, or is that of no movable
-/// joint. `simple` has simple joints.
+/// The names of the joints that a trajectory sets, without joints that mimic another one. Throws
+/// std::runtime_error, with the remedy, for a repeated name and for a name of no movable joint.
+/// `simple` is a robot with simple joints, see withSimpleJoints().
 std::set<std::string> plannedJoints(const Robot& simple,
                                     const trajectory_msgs::JointTrajectory& trajectory);
 
 class PlannedTrajectory {
  public:
-  /// `simple` has simple joints, `joints` among them, which are those of plannedJoints(). Throws
-  /// std::runtime_error, with the way point and the remedy, for what is no path.
+  /// `simple` is a robot with simple joints; `joints` is the result of plannedJoints(). Throws
+  /// std::runtime_error, with the way point and the remedy, if the message is no valid path.
   PlannedTrajectory(const Robot& simple, const std::set<std::string>& joints,
                     trajectory_msgs::JointTrajectory message);
 
   std::size_t segments() const { return message_.points.size() - 1; }
 
-  /// From that way point to the next one.
+  /// The motion from way point `segment` to the next one.
   JointMotion motion(std::size_t segment) const;
 
-  /// One per joint, which no motion leaves.
+  /// One range of values per joint of the robot, which no motion leaves.
   std::vector<Limits> ranges() const;
 
-  /// Those of plannedJoints(), by index, in the order of the message.
+  /// The indices in the robot of plannedJoints(), in the order of the message.
   const std::vector<std::size_t>& joints() const { return joints_; }
 
  private:
@@ -46,9 +46,9 @@ class PlannedTrajectory {
   WayPoint wayPoint(const Point& point) const;
   std::vector<double> spread(const std::vector<double>& numbers) const;
 
-  std::size_t joint_count_;  ///< of the robot
+  std::size_t joint_count_;  ///< number of joints of the robot
   trajectory_msgs::JointTrajectory message_;
-  std::vector<std::size_t> columns_;  ///< of joints_, in the message
+  std::vector<std::size_t> columns_;  ///< for each of joints_ its index in the message
   std::vector<std::size_t> joints_;
 };
 

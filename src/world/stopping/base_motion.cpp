@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Speeds of pieces of the window, as of joints.
+// Takes speeds from pieces of the window, as for joints.
 #include "world/stopping/base_motion.h"
 
 #include <algorithm>
@@ -12,11 +12,12 @@
 namespace link_bounds {
 namespace {
 
-/// Less is rounding of the poses [m and rad].
+/// Smaller motions are rounding errors of the poses [m and rad].
 constexpr double kStands = 1e-9;
 
-/// A way that is so much shorter than another one costs less in all directions than its own
-/// direction beside the other one's: of one that is nearly 0 that may be any.
+/// If the length of one path is at most this share of the other's, adding it in all directions
+/// gives a smaller box than widening the other's cone of directions: the direction of a path of
+/// nearly zero length may be anything.
 constexpr double kLittle = 0.1;
 
 /// The motion between two poses.
@@ -84,7 +85,7 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
   bool travels = false;
   bool turns = false;
   double spread = 0;
-  double max_turn = 0;  // of a piece: its path is an arc, which its chord is shorter than
+  double max_turn = 0;  // of a piece: its path is an arc, whose direction changes by this [rad]
   const Eigen::Vector3d direction = pieces.back().path;
   for (const Piece& piece : pieces) {
     const double rounding = kStands * (1 + poses.back().pose.translation().norm() * kStands);
@@ -94,7 +95,7 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
     max_turn = std::max(max_turn, piece.turn);
     turn_speed = std::max(turn_speed, piece.turn / piece.time);
     if (is_moving) spread = std::max(spread, angleBetween(direction, piece.path));
-    if (piece.turned < M_PI / 2)  // after a whole turn the ends do not show it
+    if (piece.turned < M_PI / 2)  // else the ends do not show how far it turned
       speed = std::max(speed, piece.path.norm() / std::cos(piece.turn / 2) / piece.time);
     else
       result.problem = "the base turns by 90 degrees or more within a piece of ~velocity_window";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a base can come until it stands: the root in the fixed frame, or the child of a floating or
-// planar joint.
+// How far a base can move until it stands. A base is the root in the fixed frame, or the child of a
+// floating or planar joint.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,26 @@
 
 namespace link_bounds {
 
-/// Nothing for a base that stands.
+/// The motion of a base until it stands. Without `joint` and `problem` it stands already.
 struct BaseMotion {
   std::optional<MovingJoint> joint;  ///< in the frame of the poses
-  double more = 0;                   ///< how far it may go beside that, in any direction [m]
-  std::string problem;               ///< with the remedy
+  double more = 0;                   ///< additional distance in any direction [m]
+  std::string problem;               ///< why the motion is not known, with the remedy
 };
 
-/// The base keeps its speed for ~reaction_time and then brakes at least as hard as
-/// ~base_deceleration says. Seen from the base, its path keeps the direction it has: so in the
-/// frame of the poses it deviates by no more than the base turns. `poses` are those of a window.
+/// Assumes that the base keeps its speed for ~reaction_time and then brakes with at least
+/// ~base_deceleration, and that the direction of its path in its own frame stays constant. So in
+/// the frame of the poses, the direction changes by at most the angle by which the base turns.
+/// `poses` are those of a window of length `window` [ns].
 BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
                       const Parameters& parameters);
 
-/// Covers both motions of one base, of which `other` is as seen in a frame that has the pose
-/// `frame`.
+/// A motion that covers both motions of one base. `other` is expressed in a frame; `frame` is the
+/// pose of that frame in the frame of `motion`.
 BaseMotion around(BaseMotion motion, const BaseMotion& other, const Eigen::Isometry3d& frame);
 
-/// The poses of `source` in `target` during the window, at all stamps at which an edge between them
-/// has a transform; or why its speed is not known.
+/// The poses of `source` in `target` during the window, at both its ends and at all stamps at which
+/// an edge between both frames has a transform; or why the speed is not known.
 EdgeSamples pathSamples(const TransformBuffer& tf, TransformBuffer::Frame target,
                         TransformBuffer::Frame source, std::int64_t stamp, std::int64_t window);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each body goes up its tf path. The motion of an edge is found once per stamp.
+// Climbs from each body up the tf tree. The motion of an edge is found once per stamp.
 #include "world/stopping/body_ways.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ WayJoint placed(WayJoint joint, const Eigen::Isometry3d& frame) {
   return joint;
 }
 
-/// From the nearest sample of the edge to the stamp [s].
+/// The time between the stamp and the nearest sample of the edge [s].
 double gapAt(const EdgeHistory& history, std::int64_t stamp) {
   const std::vector<const EdgeSample*> samples = history.between(stamp, stamp);
   std::int64_t gap = samples.empty() ? 0 : EdgeHistory::kLength;
@@ -31,7 +31,7 @@ double gapAt(const EdgeHistory& history, std::int64_t stamp) {
   return static_cast<double>(gap) / 1e9;
 }
 
-/// What a joint does that mimics the one of the report.
+/// Converts the report of a joint to that of a joint which mimics it.
 void follow(const Lead& lead, JointReport& report) {
   report.position = lead.factor * report.position + lead.offset;
   if (report.velocity) *report.velocity *= lead.factor;
@@ -52,8 +52,8 @@ BodyWays::BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose,
   fixed_problem_ = whyFixedFrameMoves();
 }
 
-/// With which a body moves: an attached object with a frame of its link's rigid body, with its own
-/// if that is one. Nothing if tf has none.
+/// The frame with which a body moves. For an attached object it is a frame of the rigid body of its
+/// link, if possible the object's own frame. Nothing if tf has no such frame.
 std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
   const auto rigid_body = body.link ? std::nullopt : rules_.bodyOfObject(body.bounded->name);
   if (!rigid_body) return body.frame;
@@ -68,7 +68,7 @@ std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
   return std::nullopt;
 }
 
-/// Why it may be elsewhere on the link to which it is attached, or will be; "" if not.
+/// Why the place of an attached object on its link may be wrong or change; "" if it is known.
 std::string BodyWays::whyNotHeld(const PastBody& body, Frame mover, const FramePose& start,
                                  std::int64_t pose_stamp) const {
   if (mover == *body.frame) return "";
@@ -120,7 +120,7 @@ BodyWay BodyWays::find(const PastBody& body) {
   if (isContact() || start.stamp != 0 || *mover == scene_.target || edgeInDoubt(*mover))
     is_carried = climb(*mover, start, way);
   if (!way.problem.empty() && is_carried) return way;
-  // It was placed once, so it does not move with a fixed frame on the robot.
+  // An object that was placed once does not move with a fixed frame on the robot.
   if (body.frame_from_body && *mover == scene_.target)
     way.problem = whyStrangerMoves(scene_.target, 0);
   if (isContact() && body.object && body.object->is_neighbour && body.object->stamp != 0)
@@ -129,8 +129,8 @@ BodyWay BodyWays::find(const PastBody& body) {
   return way;
 }
 
-/// The stamp, less by how much the clock is ahead that stamps the joints on the way up to the root.
-/// What does not move is dated ahead on purpose now and then.
+/// BodyWay::known for a frame: the stamp minus the time by which joints on the way up to the root
+/// are stamped ahead. Ignores edges that do not move, which some publishers stamp ahead on purpose.
 std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
   std::int64_t known = std::min(stamp, nanosecondsOf(scene_.now));
   for (const Frame edge : wayUp(tf_, frame)) {
@@ -143,7 +143,7 @@ std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
   return known;
 }
 
-/// One on the way to the fixed frame, if there is any.
+/// An edge between the frame and the fixed frame for which isStaticInDoubt(), if there is one.
 std::optional<TransformBuffer::Frame> BodyWays::edgeInDoubt(Frame frame) const {
   for (const Frame edge : edgesBetween(tf_, scene_.target, frame)) {
     if (tf_.isStaticInDoubt(edge)) return edge;
@@ -151,8 +151,8 @@ std::optional<TransformBuffer::Frame> BodyWays::edgeInDoubt(Frame frame) const {
   return std::nullopt;
 }
 
-/// Up to the fixed frame, or to the root and from there on its motion as a base; for contacts, up
-/// to the root. True if a link of the robot carries the body.
+/// Climbs to the fixed frame, or to the root, where it adds the motion of the base. For contacts it
+/// climbs to the root only. True if a link of the robot carries the body.
 bool BodyWays::climb(Frame frame, const FramePose& start, BodyWay& way) {
   const Frame first = frame;
   Eigen::Isometry3d pose;
@@ -194,13 +194,15 @@ bool BodyWays::climb(Frame frame, const FramePose& start, BodyWay& way) {
   return is_carried;
 }
 
-/// Why what stands may move in the frame of the boxes, or the robot's root against it; "" if not.
+/// Why bodies at rest may move in the frame of the boxes, or, for contacts, why the robot's root
+/// may move relative to them; "" if they do not.
 const std::string& BodyWays::groundProblem() {
   if (!ground_problem_) ground_problem_ = isContact() ? whyRootMoves() : whyGroundMoves();
   return *ground_problem_;
 }
 
-/// Poses of different stamps can be compared in the frame of the root, however the root moves.
+/// Expresses the way in the frame of the root. There, poses of different stamps can be compared
+/// even if the root moves. `root` is the pose of the root.
 void BodyWays::moveInto(const Eigen::Isometry3d& root, BodyWay& way) {
   const Eigen::Isometry3d inverse = root.inverse();
   way.pose.matrix() = (inverse * way.pose).matrix();
@@ -208,7 +210,7 @@ void BodyWays::moveInto(const Eigen::Isometry3d& root, BodyWay& way) {
     joint = placed(joint, inverse);
 }
 
-/// Of what no link carries, nothing is known but where it is.
+/// Why a body that no link carries may move; "" if it is at rest. Only its poses are known.
 std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
   const std::string& ground = groundProblem();
   if (!ground.empty() || frame == scene_.target) return ground;
@@ -222,7 +224,8 @@ std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
   return what + "how it brakes";
 }
 
-/// A fixed frame on the robot: if it moves against what is above it, all that stands moves in it.
+/// If the fixed frame is on the robot and moves relative to a frame above it, all bodies at rest
+/// move in the fixed frame.
 std::string BodyWays::whyGroundMoves() const {
   bool is_on_robot = false;
   for (const Frame frame : wayUp(tf_, scene_.target)) {
@@ -238,7 +241,8 @@ std::string BodyWays::whyGroundMoves() const {
   return "";
 }
 
-/// Against what stands: every edge between them must be unable to move.
+/// Why the root may move relative to bodies at rest. It cannot if every edge between the root and
+/// the fixed frame is rigid.
 std::string BodyWays::whyRootMoves() const {
   std::vector<Frame> edges;
   bool is_on_robot = false;
@@ -258,7 +262,7 @@ std::string BodyWays::whyRootMoves() const {
   return "";
 }
 
-/// A fixed joint must not move in tf.
+/// True for a static edge, and for a fixed joint whose transform in tf does not change.
 bool BodyWays::isRigid(Frame child) const {
   if (tf_.isStatic(child)) return !tf_.isStaticInDoubt(child);
   const auto link = rules_.linkOf(tf_.name(child));
@@ -266,7 +270,7 @@ bool BodyWays::isRigid(Frame child) const {
   return above && rules_.rule(*above).joint->motion == Motion::kNone && isStillInTf(child);
 }
 
-/// As far as the copy of tf goes back, however rarely the edge is sent.
+/// Looks at all samples of the copy of tf, however rarely the edge is sent.
 bool BodyWays::isStillInTf(Frame child) const {
   const EdgeHistory* const history = tf_.history(child);
   if (!history || history->samples().isEmpty()) return false;
@@ -301,8 +305,8 @@ BaseMotion BodyWays::baseIn(Frame frame, std::int64_t stamp, Frame root) const {
   return baseMotion(samples.poses, window_, rules_.model().parameters);
 }
 
-/// In the fixed frame, and in each frame between that and the root: where a localisation corrects
-/// its frame against the way of the base, the base stands in the fixed frame.
+/// Covers the motion in the fixed frame and in each frame between it and the root, such as odom. If
+/// a localisation moves odom opposite to the base, the base seems to stand in the fixed frame.
 BaseMotion BodyWays::findBase(std::int64_t stamp, Frame root) const {
   BaseMotion motion = baseIn(scene_.target, stamp, root);
   for (const Frame child : edgesBetween(tf_, root, scene_.target)) {
@@ -324,7 +328,7 @@ const BodyWays::EdgeMotion& BodyWays::motionOf(Frame child, std::int64_t stamp) 
   return entry->second;
 }
 
-/// Of an edge that is no joint of the robot: a problem if it moves.
+/// An edge that is no joint of the robot is a problem if it moves; for contacts, if it may move.
 BodyWays::EdgeMotion BodyWays::findMotion(Frame child, std::int64_t stamp) {
   EdgeMotion result;
   EdgeSample scratch;
@@ -389,7 +393,7 @@ void BodyWays::addJoint(Frame child, std::size_t index, std::int64_t stamp, Edge
   if (edge.problem.empty()) edge.joint = moving;
 }
 
-/// A fixed, planar or floating joint, or one without an axis.
+/// Adds a fixed, planar or floating joint, or one without an axis.
 void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp, EdgeMotion& edge) {
   if (tf_.isStatic(child)) return;
   const bool is_base = joint.motion == Motion::kPlanar || joint.motion == Motion::kFloating;
@@ -412,11 +416,11 @@ void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp,
   if (!base.problem.empty()) edge.problem = joint.name + ": " + base.problem;
   if (!base.joint) return;
   edge.joint = WayJoint{*base.joint, {}, {}};
-  // It turns about where it is at the stamp; samples may end after that.
+  // The base turns about its place at the stamp; the last sample may be later.
   edge.joint->place.origin = edge.parent_from_child.translation();
 }
 
-/// A joint that /joint_states does not have, but the joint that it mimics, has that one's reports.
+/// If /joint_states lacks a mimic joint, this uses the reports of the joint that it mimics.
 JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t stamp,
                              const Eigen::Isometry3d& pose) const {
   if (states_) {
@@ -442,8 +446,8 @@ JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t st
   return unknown;
 }
 
-/// The fixed frame on a link that joints move: the root then moves against it, in a way that no
-/// parameter describes.
+/// If joints move the link that carries the fixed frame, the root moves relative to the fixed frame
+/// in a way that no parameter describes.
 std::string BodyWays::whyFixedFrameMoves() const {
   for (const Frame frame : wayUp(tf_, scene_.target)) {
     const auto link = rules_.linkOf(tf_.name(frame));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which joints move a body, and how they move, from one copy of the scene.
+// Finds in a copy of the scene which joints move a body, and how they move.
 #pragma once
 
 #include <functional>
@@ -24,35 +24,38 @@ namespace link_bounds {
 
 /// A joint, or a base, on the way from the root to a body.
 struct WayJoint {
-  MovingJoint place;                 ///< in the frame of the body's pose; without offsets
+  MovingJoint place;                 ///< in the frame of BodyWay::pose; joints without offsets
   std::optional<std::size_t> joint;  ///< its index in the robot; nothing: a base
-  JointState state;                  ///< of a joint
+  JointState state;                  ///< only for joints
   bool is_speed_known = false;
-  double between = 0;  ///< from the nearest transform to the stamp of the body [s]
+  double between = 0;  ///< time from the nearest transform to the stamp of the body [s]
 };
 
 /// How a body moves.
 struct BodyWay {
   std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all is static
-  /// When the pose was true at the latest [ns]: the stamp, or where a clock of tf is ahead, as much
-  /// earlier.
+  /// The pose was true at this time at the latest [ns]: the stamp, minus the time by which a
+  /// publisher of tf stamps ahead of our clock.
   std::int64_t known = 0;
   bool has_pose = false;
-  bool is_placed = false;  ///< there is a box: how the body moves is known, or where it stands
-  /// In the frame of the boxes; for contacts in that of the root, if the root may move in it.
+  bool is_placed =
+      false;  ///< the body gets a box, because its motion or its resting place is known
+  /// In the frame of the boxes. For contacts in the frame of the root, if the root may move in the
+  /// frame of the boxes.
   Eigen::Affine3d pose = Eigen::Affine3d::Identity();
   std::vector<WayJoint> joints;  ///< the one nearest to the root first
-  std::string problem;           ///< why not all is known
+  std::string problem;           ///< why the motion is not fully known, or ""
 };
 
-/// What is to be known of the way: whether all stands soon if it brakes, or what can touch what if
-/// nobody brakes. In the first case the base is on the way, and without a speed nothing is known.
-/// In the second one the way begins at the root, and what no joint moves must be unable to move.
+/// kStandstill: where bodies can be until the robot stands, if it brakes. The way includes the
+/// base, and a joint without a known speed is a problem. kContact: how soon bodies can touch if
+/// nothing brakes. The way begins at the root, and every edge that is not a joint must be unable to
+/// move.
 enum class WayPurpose { kStandstill, kContact };
 
 class BodyWays {
  public:
-  /// `states` may be null. All must outlive this.
+  /// `states` may be null. All arguments must outlive this.
   BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose, const JointStates* states);
 
   BodyWay find(const PastBody& body);
@@ -63,7 +66,7 @@ class BodyWays {
   /// How an edge moves at a stamp.
   struct EdgeMotion {
     Eigen::Isometry3d parent_from_child = Eigen::Isometry3d::Identity();
-    std::optional<WayJoint> joint;  ///< in the frame of the child; of a base in that of the parent
+    std::optional<WayJoint> joint;  ///< in the frame of the child; a base in that of the parent
     std::string problem;
   };
 
@@ -101,22 +104,22 @@ class BodyWays {
   FrameTracker tracker_;
   std::map<std::pair<Frame, std::int64_t>, EdgeMotion> motions_;
   std::map<std::pair<Frame, std::int64_t>, BaseMotion> bases_;
-  std::string fixed_problem_;                  ///< if the fixed frame moves with a joint
+  std::string fixed_problem_;                  ///< why the fixed frame moves with a joint, or ""
   std::optional<std::string> ground_problem_;  ///< see groundProblem()
 };
 
-/// What a copy of the scene must have for ways.
+/// The request for the copy of the scene that BodyWays needs.
 BoxRequest wayRequest(const Parameters& parameters);
 
-/// Boxes of all bodies of a scene, in the order of ~boxes, with the stamps of those.
+/// Boxes of all bodies of a scene, in the order of ~boxes. Each has the stamp of its pose.
 struct WayBoxes {
   std::shared_ptr<const Moment> moment;
-  std::vector<BodyWay> ways;  ///< of the bodies of the moment
-  std::string problem;        ///< why the first incomplete body is that, and how many more are
-  bool have_poses = true;     ///< all bodies that have a frame
+  std::vector<BodyWay> ways;  ///< one per body of the moment
+  std::string problem;     ///< why the first incomplete body is incomplete, and how many more are
+  bool have_poses = true;  ///< all bodies that have a frame have a pose
 };
 
-/// `box_of` makes the box of a body that is placed; nothing: its numbers are too large.
+/// `box_of` makes the box of a body that is placed. It returns nothing if numbers are too large.
 WayBoxes wayBoxes(
     PastScene& scene, BodyWays& ways,
     const std::function<std::optional<Aabb>(const PastBody&, const BodyWay&)>& box_of);

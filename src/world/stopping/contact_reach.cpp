@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reach never falls with time, so bisection finds when it is large enough.
+// The reach never decreases with time, so bisection finds the time at which it is large enough.
 #include "world/stopping/contact_reach.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kReachRounding = 1e-9;     // of a reach, much more than its arithmetic needs
+constexpr double kReachRounding = 1e-9;  // relative, far more than the rounding errors of a reach
 constexpr std::int64_t kResolution = 1000;  // ns, of times
 
 double leverOf(const MovingJoint& joint, const Aabb& box) {
@@ -28,8 +28,9 @@ double leverOf(const MovingJoint& joint, const Aabb& box) {
 
 }  // namespace
 
-/// Without a speed it may have its limit at once. Between two transforms a joint may have left the
-/// line between their values by what it can move there and back.
+/// A joint without a known speed may move at its speed limit at once. Between two transforms, a
+/// joint may have left the interpolated value as far as it can move away from the nearer one and
+/// back.
 ContactReach::ContactReach(const BodyWay& way, const Aabb& box, const StopRules& rules)
     : stamp_(way.stamp), begin_(way.known) {
   for (const WayJoint& joint : way.joints) {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs within distance_limit have their measured distance. All others are farther apart, and no
-// nearer than their boxes: of these, only the ones count that can touch before all pairs so far.
-// Pairs that no joint moves are not even measured: a scene has most of its pairs among objects.
+// Pairs within distance_limit get their measured distance. All others are farther apart than that
+// and than their boxes. Of these, only the pair that can touch first is added, if that is before
+// all measured pairs. Pairs that no joint moves relative to each other are not measured: in a
+// scene, most pairs are of two objects.
 #include "world/stopping/contact_times.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 namespace link_bounds {
 namespace {
 
-/// No time is later than this after the header's stamp: nobody waits for it [ns].
+/// Contacts later than this after the header's stamp are not searched [ns].
 constexpr std::int64_t kHorizon = 10'000'000'000;
 
 ros::Time toTime(std::int64_t nanoseconds) {
@@ -32,12 +33,12 @@ class Contacts {
     }
   }
 
-  /// Whether the distance of two bodies matters.
+  /// Whether the distance of two bodies matters: a joint moves them relative to each other.
   bool canMeet(std::size_t a, std::size_t b) const {
     return link_bounds::canMeet(reaches_[a], reaches_[b]);
   }
 
-  /// The pairs that were measured.
+  /// Adds the pairs that were measured.
   void add(const ComputedDistances& computed) {
     limit_ = computed.array.limit;
     complete_ = computed.is_complete;
@@ -45,7 +46,7 @@ class Contacts {
       add(computed.pairs[i].first, computed.pairs[i].second, computed.array.distances[i].distance);
   }
 
-  /// Bodies farther apart cannot touch before what was found so far [m].
+  /// Bodies farther apart than this [m] cannot touch before first_.
   double margin() const {
     double largest = 0;
     for (const ContactReach& reach : reaches_)
@@ -57,7 +58,7 @@ class Contacts {
     return margin() > limit_ || std::count(complete_.begin(), complete_.end(), false) > 0;
   }
 
-  /// Pairs by their boxes.
+  /// Adds the pair that can touch first, of those that were not measured, by distances of boxes.
   void addOthers(std::vector<BoxPair> pairs) {
     const auto cannot_meet = [this](const BoxPair& pair) {
       return !canMeet(pair.first, pair.second);
@@ -80,7 +81,7 @@ class Contacts {
     if (earliest) found_.push_back(*earliest);
   }
 
-  /// The earliest ones first.
+  /// Writes the contacts, the earliest first.
   void write(EarliestContactArray& array) {
     std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
       return std::tie(a.time, a.first, a.second) < std::tie(b.time, b.first, b.second);

@@ -15,7 +15,7 @@ namespace link_bounds {
 
 struct ComputedContacts {
   EarliestContactArray array;
-  std::string problem;  ///< why the first incomplete body is that, and how many more are
+  std::string problem;  ///< why the first incomplete body is incomplete, and how many more are
 };
 
 /// Not thread-safe; belongs to one thread.
@@ -24,23 +24,23 @@ class ContactTimes {
   explicit ContactTimes(TreeRequests requests)
       : requests_(std::move(requests)), distances_(requests_) {}
 
-  /// Of a copy that wayRequest() asked for. The rules are those of its model; `states` may be null.
-  /// Nothing if `is_cancelled`, which is asked now and then, said so. After that, or after an
-  /// exception, such as std::bad_alloc, the next call forgets all first.
+  /// `scene` is a copy for wayRequest(), `rules` are those of its model, `states` may be null.
+  /// Nothing if `is_cancelled`, which is called now and then, returned true. After that, or after
+  /// an exception, such as std::bad_alloc, the next call starts without cached data.
   std::optional<ComputedContacts> compute(PastScene& scene, const StopRules& rules,
                                           const JointStates* states, TriangleTrees::Time now,
                                           const std::function<bool()>& is_cancelled);
 
   TriangleTrees& trees() { return distances_.trees(); }
 
-  /// Frees what is kept between two calls, trees among it.
+  /// Frees the data that is cached between calls, including triangle trees.
   void forget();
 
  private:
   TreeRequests requests_;
   SceneDistances distances_;
   MomentPairs pairs_;
-  bool is_whole_ = true;  ///< else what is remembered may be of half a scene
+  bool is_whole_ = true;  ///< false: the cached data may be of an incomplete computation
 };
 
 }  // namespace link_bounds

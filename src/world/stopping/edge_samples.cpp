@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is too far apart tells no speed.
+// Two samples that are too far apart in time say nothing about the speed between them.
 #include "world/stopping/edge_samples.h"
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kStillRounding = 1e-9;   // m, and of the numbers of a rotation
-constexpr double kChainRounding = 4e-15;  // of the length of a translation: some 20 roundings
+constexpr double kStillRounding = 1e-9;  // m, and for entries of a rotation matrix
+constexpr double kChainRounding =
+    4e-15;  // relative to the length of a translation: some 20 roundings
 
 }  // namespace
 

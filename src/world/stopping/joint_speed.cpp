@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of neighbouring transforms differ by less than a quarter of a turn, which makes them
-// continuous.
+// Values of successive transforms differ by less than a quarter of a turn, so whole turns are
+// known.
 #include "world/stopping/joint_speed.h"
 
 #include <algorithm>
@@ -17,16 +17,16 @@ constexpr double kMaxTurn = M_PI / 2;     // rad, between two transforms
 constexpr double kValueRounding = 1e-12;  // rad or m, of the difference of two values
 constexpr double kLimitRounding = 1e-9;   // rad or m
 
-/// How far a pose may be from a report of the same time, beyond what the joint moves meanwhile.
+/// Max difference between pose and nearest report, beyond the motion of the joint between them.
 constexpr double kMaxReportError = 1e-3;  // rad or m
 
-/// By what share of its way a joint may move otherwise than its velocities tell, for noise alone.
+/// Max relative difference, by noise alone, of a joint's motion by velocities and by positions.
 constexpr double kMaxWayError = 0.005;
 constexpr double kPositionNoise = 1e-4;  // rad or m, of encoders
 
 constexpr double kSpeedRounding = 1e-12;  // relative
 
-/// Two values and the time between them.
+/// Extends the range by the mean speed between two values, with its rounding error.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
   const double time = static_cast<double>(nanoseconds) / kSecond;
   const double longest = std::abs(difference) + kValueRounding;
@@ -46,7 +46,7 @@ double fastest(double mean, double gain) {
   return std::max(mean + gain / 2, gain);
 }
 
-/// Values at times, those of a turning joint without jumps.
+/// Values at times; those of a turning joint are continuous.
 struct TimedValues {
   std::vector<std::int64_t> stamps;
   std::vector<double> values;
@@ -66,7 +66,7 @@ bool haveVelocities(const std::vector<JointReport>& reports) {
                      [](const JointReport& report) { return report.velocity; });
 }
 
-/// Of reports that all have a velocity: maybe it is not measured.
+/// Whether all velocities are 0: then the driver may not measure them. All reports must have one.
 bool areZeros(const std::vector<JointReport>& reports) {
   return std::all_of(reports.begin(), reports.end(),
                      [](const JointReport& report) { return *report.velocity == 0; });
@@ -79,13 +79,13 @@ bool restedSince(const std::optional<JointReport>& before,
          });
 }
 
-/// From one report to the next, by their velocities.
+/// The motion from one report to the next, by their velocities [rad or m].
 double wayOf(const JointReport& from, const JointReport& to) {
   return (*from.velocity + *to.velocity) / 2 * static_cast<double>(to.stamp - from.stamp) / kSecond;
 }
 
-/// Whether in a piece of the window the velocities tell another way than the positions do: a driver
-/// may filter them, which makes them late, or send zeros now and then.
+/// Whether in a piece of the window velocities and positions give different motions: a driver may
+/// filter velocities, which makes them late, or send zeros now and then.
 bool contradict(const std::vector<JointReport>& reports, const TimedValues& positions,
                 std::int64_t window) {
   const std::vector<std::size_t> cuts = piecesOf(positions.stamps, window);
@@ -99,8 +99,8 @@ bool contradict(const std::vector<JointReport>& reports, const TimedValues& posi
   return false;
 }
 
-/// How far the ways that positions and velocities tell differ, from any report of the last piece to
-/// the last report.
+/// Max difference of the motions by positions and by velocities, from any report of the last piece
+/// to the last report.
 double differenceAtEnd(const std::vector<JointReport>& reports, const TimedValues& positions,
                        std::int64_t window) {
   const std::size_t last = reports.size() - 1;
@@ -114,9 +114,9 @@ double differenceAtEnd(const std::vector<JointReport>& reports, const TimedValue
   return largest;
 }
 
-/// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
-/// send zeros for what it does not measure, so the speeds of the positions count, too; where they
-/// show that the velocities are wrong, with what the joint may have gained in a piece.
+/// All reports must have a velocity. It may have changed between the nearest report and the stamp.
+/// A driver may send zeros instead of measured velocities, so the speeds of the positions count,
+/// too. If they contradict the velocities, the joint may also have gained speed during a piece.
 void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp,
                        const TimedValues& positions, std::int64_t window, JointState& state) {
   JointState of_positions;
@@ -138,15 +138,15 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   if ((are_zeros && !is_still) || contradict(reports, positions, window)) {
     state.piece += of_positions.piece;
   } else if (!are_zeros) {
-    // A speed that is off by e at the end, and changes by up to twice the acceleration, has made a
-    // difference of at least e^2 / 4 a.
+    // If the velocity is wrong by e at the end, and this error changes by at most 2 a per second,
+    // it has made a difference of at least e^2 / (4 a).
     state.unseen = std::max(state.unseen, 2 * differenceAtEnd(reports, positions, window));
   }
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
 
-/// Without the report after the stamp if it is more than `window` after the one before it.
+/// Removes the report after the stamp if it is more than `window` later than the previous one.
 std::vector<JointReport> withoutLate(std::vector<JointReport> reports, std::int64_t stamp,
                                      std::int64_t window) {
   const std::size_t count = reports.size();
@@ -156,7 +156,7 @@ std::vector<JointReport> withoutLate(std::vector<JointReport> reports, std::int6
   return reports;
 }
 
-/// Whether the positions tell speeds, as transforms would.
+/// Whether the positions are close enough in time to give speeds.
 bool tellSpeed(const std::vector<JointReport>& reports, std::int64_t window) {
   const auto is_gap = [window](const JointReport& a, const JointReport& b) {
     return b.stamp - a.stamp > window;
@@ -176,13 +176,13 @@ std::string whyNoDirection(const Joint& joint, const std::string& samples) {
          ", so its direction is not known; send them more often";
 }
 
-/// How far a joint can be from where a report has it.
+/// Max difference between the joint's value at the stamp and the report's position.
 double reportError(const JointReport& report, const JointState& state, std::int64_t stamp) {
   const double fastest = std::max(std::abs(state.speed.lower), std::abs(state.speed.upper));
   return kMaxReportError + fastest * static_cast<double>(std::abs(stamp - report.stamp)) / kSecond;
 }
 
-/// Null if there is none.
+/// The report nearest to the stamp; null if there is none.
 const JointReport* nearestReport(const std::vector<JointReport>& reports, std::int64_t stamp) {
   const JointReport* nearest = nullptr;
   for (const JointReport& report : reports) {
@@ -201,9 +201,9 @@ TimedValues positionsOf(const std::vector<JointReport>& reports) {
   return found;
 }
 
-/// Some drivers keep the positions of joints without limits within one turn. The velocities tell
-/// how many turns were made, unless they may be zeros for what is not measured. False if the
-/// direction is not known.
+/// Makes the positions of a joint without limits continuous: some drivers keep them within one
+/// turn. The velocities give the number of turns. False if the direction is not known, because the
+/// velocities may be zeros that were not measured.
 bool addTurns(const std::vector<JointReport>& reports, std::vector<double>& positions) {
   for (std::size_t i = 1; i < reports.size(); ++i) {
     const double told = wayOf(reports[i - 1], reports[i]);
@@ -215,14 +215,14 @@ bool addTurns(const std::vector<JointReport>& reports, std::vector<double>& posi
   return true;
 }
 
-/// One velocity alone may be late or wrong: with the report before it, the positions tell, too.
+/// A single velocity may be late or wrong, so this adds the report before it: then positions count.
 std::vector<JointReport> withBefore(std::vector<JointReport> reports,
                                     const std::optional<JointReport>& before) {
   if (reports.size() == 1 && before && before->velocity) reports.insert(reports.begin(), *before);
   return reports;
 }
 
-/// Of reports that all have a velocity.
+/// All reports must have a velocity.
 void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& reports,
                            std::int64_t stamp, std::int64_t window, JointState& state) {
   TimedValues found = positionsOf(reports);
@@ -236,7 +236,8 @@ void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& r
 void addSpeedsOfPositions(const std::vector<JointReport>& reports, std::int64_t stamp,
                           std::int64_t window, JointState& state) {
   addSpeeds(positionsOf(reports), window, state);
-  // Since the last report it may have become faster, as by twice the time in a piece.
+  // Since the last report the joint may have gained speed, as much as in a piece of twice that
+  // time.
   const std::int64_t gap = std::max<std::int64_t>(stamp - reports.back().stamp, 0);
   state.piece += 2 * static_cast<double>(gap) / kSecond;
 }

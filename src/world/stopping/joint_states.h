@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What /joint_states says of joints.
+// The reports of joints in /joint_states.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace link_bounds {
 
-/// The value of a joint at a time [ns].
+/// The position and velocity of a joint at a time [ns].
 struct JointReport {
   std::int64_t stamp;
   double position;                 ///< [rad or m]
@@ -21,28 +21,27 @@ struct JointReport {
 /// Messages may come in any order.
 class JointStates {
  public:
-  /// What is not finite and what has no stamp is ignored, and so are velocities beyond kMaxVelocity
-  /// and further joints beyond kMaxJoints. A stamp of long before the newest one of the joint is a
-  /// fault or of a second publisher, and is ignored. kJump of them in a row mean that time jumped
-  /// back: then all else is forgotten of the joint. Others may have a publisher whose clock is
-  /// right.
+  /// Ignores reports without a stamp or a finite position, velocities that are not finite or beyond
+  /// kMaxVelocity, and new joints beyond kMaxJoints. Ignores stamps more than 10 s before the
+  /// newest one of the joint, which are a fault or of a second publisher. After kJump of these in a
+  /// row, time has jumped back: then it forgets all other reports of this joint. It keeps those of
+  /// other joints, whose publisher's clock may be right.
   void add(const std::string& joint, const JointReport& report);
 
   void clear();
 
-  /// Forgets all if the clock has jumped back since the last call: then the epoch of tf is another
-  /// one.
+  /// Forgets all reports if the epoch of tf has changed since the last call: the clock has jumped.
   void observeEpoch(std::uint64_t epoch);
 
-  /// The reports of a joint that tell how it moves at `stamp`: those of `window` before it [ns],
-  /// and the next one after it, in order. Nothing for a joint that was never reported.
+  /// The reports of a joint from `window` [ns] before `stamp` to the first one at or after `stamp`,
+  /// in order. Nothing for a joint that was never reported.
   std::optional<std::vector<JointReport>> reports(const std::string& joint, std::int64_t stamp,
                                                   std::int64_t window) const;
 
   /// The last report before that stamp, if it is at most a second older.
   std::optional<JointReport> lastBefore(const std::string& joint, std::int64_t stamp) const;
 
-  /// [rad/s or m/s] So that sums of them are finite.
+  /// Keeps sums of velocities finite [rad/s or m/s].
   static constexpr double kMaxVelocity = 1e100;
 
   /// A publisher may invent names without end.
@@ -53,7 +52,7 @@ class JointStates {
 
   struct History {
     Reports reports;
-    Reports old;  ///< those of long before, since the last one that was not
+    Reports old;  ///< the latest reports, in a row, whose stamps are too old for `reports`
   };
 
   static constexpr std::size_t kJump = 10;

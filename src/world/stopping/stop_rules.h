@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a model says about how its joints brake.
+// How the joints of a model brake, accelerate and are limited.
 #pragma once
 
 #include <memory>
@@ -16,19 +16,19 @@
 
 namespace link_bounds {
 
-/// How a joint may go on. One that mimics another one counts on its own: its limits, and what the
-/// parameters do not say about it, come from the joint that it follows.
+/// The rule of one joint. A mimic joint has a rule of its own: its limits, and the values that the
+/// parameters do not give for it, come from the joint that it follows.
 struct JointRule {
   const Joint* joint;
-  Lead lead;                       ///< the joint that it follows, or itself
-  const Joint* leader;             ///< that joint
+  Lead lead;                       ///< to the joint that it follows, or to itself
+  const Joint* leader;             ///< the joint of `lead`
   Braking braking{0};              ///< deceleration 0: not known
-  std::string why_no_stop;         ///< why it is not known where it stands, with the remedy
-  std::string why_no_speed_limit;  ///< why it is not known how fast it can be, with the remedy
+  std::string why_no_stop;         ///< why its stopping distance is unknown, with the remedy, or ""
+  std::string why_no_speed_limit;  ///< why its max speed is unknown, with the remedy, or ""
   std::optional<Limits> limits;
 };
 
-/// Made once per model; refers to it. There must be a robot.
+/// Made once per model, which must have a robot. Keeps the model alive.
 class StopRules {
  public:
   explicit StopRules(std::shared_ptr<const Model> model);
@@ -45,7 +45,7 @@ class StopRules {
   /// The link of the robot with that tf name.
   std::optional<std::size_t> linkOf(std::string_view frame) const;
 
-  /// The rigid body of a link of the robot, and that to which the parameters attach an object.
+  /// The rigid body of a link of the robot, and the one to which ~attached attaches an object.
   std::size_t bodyOfLink(std::size_t link) const { return bodies_.of_links[link]; }
   std::optional<std::size_t> bodyOfObject(const std::string& object) const {
     return bodyOf(*model_, {&object, std::nullopt});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Joints that cannot move are left out.
+// Ignores joints that cannot move until the robot stands.
 #include "world/stopping/stopping_boxes.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-/// Nothing if a number is too large.
+/// The joints of the way with their offsets until standstill. Nothing if a number is not finite.
 std::optional<std::vector<MovingJoint>> stoppingJoints(const BodyWay& way, const StopRules& rules) {
   std::vector<MovingJoint> result;
   for (const WayJoint& joint : way.joints) {
