@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What Python sees, and what help() says of it. link_bounds/__init__.pyi has the same signatures.
+// The interface for Python, and the texts of help(). link_bounds/__init__.pyi has the same
+// signatures.
 #include <pybind11/stl.h>
 
 #include "link_bounds/robot/urdf/kinematics.h"

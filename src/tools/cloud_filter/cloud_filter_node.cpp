@@ -20,7 +20,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of inputs and outputs: an output may get all waiting messages at once.
+/// For inputs and outputs: an output may get all waiting messages at once.
 constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 
 constexpr char kNoStamp[] = "its header has no stamp; set that of the measurement";

@@ -25,7 +25,7 @@ constexpr char kNoLinkBounded[] = "no link has a box";
 
 struct Outcome {
   bool is_unusable = false;       ///< the input allows no answer
-  bool has_finding = false;       ///< a contact, a limit not kept, or a wrong exemption
+  bool has_finding = false;       ///< a zone entry, a distance below its limit, a wrong exemption
   std::vector<std::string> open;  ///< one text per kind of question without an answer
   bool lost_geometry = false;     ///< some geometry could not be used
 

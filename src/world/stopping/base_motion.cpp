@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Takes speeds from pieces of the window, as for joints.
+// The speed of a base is the max over pieces of the window, see piecesOf(), as for joints.
 #include "world/stopping/base_motion.h"
 
 #include <algorithm>
@@ -15,17 +15,16 @@ namespace {
 /// Smaller motions are rounding errors of the poses [m and rad].
 constexpr double kStands = 1e-9;
 
-/// If the length of one path is at most this share of the other's, adding it in all directions
-/// gives a smaller box than widening the other's cone of directions: the direction of a path of
-/// nearly zero length may be anything.
+/// If one path is shorter than this fraction of the other, its length is added in all directions.
+/// That is cheaper than a spread that covers its direction, which is arbitrary for a path near 0.
 constexpr double kLittle = 0.1;
 
 /// The motion between two poses.
 struct Piece {
   Eigen::Vector3d path;  ///< [m]
   double turn;           ///< between its ends [rad]
-  double turned;         ///< the sum of its turns [rad]
-  double time;           ///< [s]
+  double turned;         ///< the sum of the turns from sample to sample [rad]
+  double time;           ///< rounded down [s]
 };
 
 double turnBetween(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
@@ -85,7 +84,7 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
   bool travels = false;
   bool turns = false;
   double spread = 0;
-  double max_turn = 0;  // of a piece: its path is an arc, whose direction changes by this [rad]
+  double max_turn = 0;  // of all pieces: along an arc, the direction differs from the chord
   const Eigen::Vector3d direction = pieces.back().path;
   for (const Piece& piece : pieces) {
     const double rounding = kStands * (1 + poses.back().pose.translation().norm() * kStands);
@@ -95,7 +94,7 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
     max_turn = std::max(max_turn, piece.turn);
     turn_speed = std::max(turn_speed, piece.turn / piece.time);
     if (is_moving) spread = std::max(spread, angleBetween(direction, piece.path));
-    if (piece.turned < M_PI / 2)  // else the ends do not show how far it turned
+    if (piece.turned < M_PI / 2)  // the poses at the ends do not show full turns
       speed = std::max(speed, piece.path.norm() / std::cos(piece.turn / 2) / piece.time);
     else
       result.problem = "the base turns by 90 degrees or more within a piece of ~velocity_window";

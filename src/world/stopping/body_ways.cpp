@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Climbs from each body up the tf tree. The motion of an edge is found once per stamp.
+// Climbs the tf path of each body. The motion of an edge is computed once per stamp.
 #include "world/stopping/body_ways.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace link_bounds {
 namespace {
 
 std::int64_t windowOf(const Parameters& parameters) {
-  constexpr double kMaxWindow = 10;  // s, all history
+  constexpr double kMaxWindow = 10;  // s, length of the tf history
   return static_cast<std::int64_t>(std::min(parameters.velocity_window, kMaxWindow) * 1e9);
 }
 
@@ -22,7 +22,7 @@ WayJoint placed(WayJoint joint, const Eigen::Isometry3d& frame) {
   return joint;
 }
 
-/// The time between the stamp and the nearest sample of the edge [s].
+/// Time between the stamp and the nearest sample of the edge [s].
 double gapAt(const EdgeHistory& history, std::int64_t stamp) {
   const std::vector<const EdgeSample*> samples = history.between(stamp, stamp);
   std::int64_t gap = samples.empty() ? 0 : EdgeHistory::kLength;
@@ -31,7 +31,7 @@ double gapAt(const EdgeHistory& history, std::int64_t stamp) {
   return static_cast<double>(gap) / 1e9;
 }
 
-/// Converts the report of a joint to that of a joint which mimics it.
+/// Converts a report of the leader to one of the joint that mimics it.
 void follow(const Lead& lead, JointReport& report) {
   report.position = lead.factor * report.position + lead.offset;
   if (report.velocity) *report.velocity *= lead.factor;
@@ -52,8 +52,8 @@ BodyWays::BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose,
   fixed_problem_ = whyFixedFrameMoves();
 }
 
-/// The frame with which a body moves. For an attached object it is a frame of the rigid body of its
-/// link, if possible the object's own frame. Nothing if tf has no such frame.
+/// The frame with which a body moves. An attached object moves with its own frame if that belongs
+/// to the rigid body of its link, else with any frame that does. Nothing if tf has no such frame.
 std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
   const auto rigid_body = body.link ? std::nullopt : rules_.bodyOfObject(body.bounded->name);
   if (!rigid_body) return body.frame;
@@ -68,7 +68,7 @@ std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
   return std::nullopt;
 }
 
-/// Why the place of an attached object on its link may be wrong or change; "" if it is known.
+/// Why an attached object may be, or may come to be, elsewhere on its link; "" if it cannot.
 std::string BodyWays::whyNotHeld(const PastBody& body, Frame mover, const FramePose& start,
                                  std::int64_t pose_stamp) const {
   if (mover == *body.frame) return "";
@@ -104,7 +104,8 @@ BodyWay BodyWays::find(const PastBody& body) {
     way.problem = "tf has no frame of the link to which it is attached";
     return way;
   }
-  const FramePose start = tracker_.keep(*mover);  // no later keep() changes it
+  const FramePose start =
+      tracker_.keep(*mover);  // a copy: the next keep() may invalidate the reference
   if (start.problem != TransformProblem::kNone) {
     way.problem = describe(start.problem, tf_.name(*mover), scene_.frameName());
     return way;
@@ -120,7 +121,7 @@ BodyWay BodyWays::find(const PastBody& body) {
   if (isContact() || start.stamp != 0 || *mover == scene_.target || edgeInDoubt(*mover))
     is_carried = climb(*mover, start, way);
   if (!way.problem.empty() && is_carried) return way;
-  // An object that was placed once does not move with a fixed frame on the robot.
+  // An object that was placed once stands still, even if a fixed frame on the robot moves.
   if (body.frame_from_body && *mover == scene_.target)
     way.problem = whyStrangerMoves(scene_.target, 0);
   if (isContact() && body.object && body.object->is_neighbour && body.object->stamp != 0)
@@ -129,13 +130,14 @@ BodyWay BodyWays::find(const PastBody& body) {
   return way;
 }
 
-/// BodyWay::known for a frame: the stamp minus the time by which joints on the way up to the root
-/// are stamped ahead. Ignores edges that do not move, which some publishers stamp ahead on purpose.
+/// The stamp, or the present time if that is earlier. Earlier still by the max lead of the clocks
+/// that stamp the edges up to the root. Edges that cannot move do not count: some publishers date
+/// these ahead on purpose.
 std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
   std::int64_t known = std::min(stamp, nanosecondsOf(scene_.now));
   for (const Frame edge : wayUp(tf_, frame)) {
     const auto link = rules_.linkOf(tf_.name(edge));
-    if (link && !rules_.jointAbove(*link)) break;  // above the root nothing counts for contacts
+    if (link && !rules_.jointAbove(*link)) break;  // contacts ignore all edges above the root
     if (!tf_.hasParent(edge) || isRigid(edge) || tf_.isStatic(edge)) continue;
     const std::int64_t ahead = tf_.newest(edge) - tf_.received(edge);
     known = std::min(known, stamp - std::max<std::int64_t>(ahead, 0));
@@ -143,7 +145,7 @@ std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
   return known;
 }
 
-/// An edge between the frame and the fixed frame for which isStaticInDoubt(), if there is one.
+/// An edge between the frame and the fixed frame that isStaticInDoubt(), if there is any.
 std::optional<TransformBuffer::Frame> BodyWays::edgeInDoubt(Frame frame) const {
   for (const Frame edge : edgesBetween(tf_, scene_.target, frame)) {
     if (tf_.isStaticInDoubt(edge)) return edge;
@@ -151,8 +153,8 @@ std::optional<TransformBuffer::Frame> BodyWays::edgeInDoubt(Frame frame) const {
   return std::nullopt;
 }
 
-/// Climbs to the fixed frame, or to the root, where it adds the motion of the base. For contacts it
-/// climbs to the root only. True if a link of the robot carries the body.
+/// Collects the joints from the frame up to the fixed frame; or up to the root, and then the motion
+/// of the root as a base. For contacts, ends at the root. True if a link carries the body.
 bool BodyWays::climb(Frame frame, const FramePose& start, BodyWay& way) {
   const Frame first = frame;
   Eigen::Isometry3d pose;
@@ -194,15 +196,15 @@ bool BodyWays::climb(Frame frame, const FramePose& start, BodyWay& way) {
   return is_carried;
 }
 
-/// Why bodies at rest may move in the frame of the boxes, or, for contacts, why the robot's root
-/// may move relative to them; "" if they do not.
+/// For stopping boxes: why objects that stand may move in the fixed frame. For contacts: why the
+/// robot's root may move relative to them. "" if not.
 const std::string& BodyWays::groundProblem() {
   if (!ground_problem_) ground_problem_ = isContact() ? whyRootMoves() : whyGroundMoves();
   return *ground_problem_;
 }
 
-/// Expresses the way in the frame of the root. There, poses of different stamps can be compared
-/// even if the root moves. `root` is the pose of the root.
+/// Converts the way to the frame of the root. There, poses of different stamps can be compared even
+/// if the root moves.
 void BodyWays::moveInto(const Eigen::Isometry3d& root, BodyWay& way) {
   const Eigen::Isometry3d inverse = root.inverse();
   way.pose.matrix() = (inverse * way.pose).matrix();
@@ -210,7 +212,8 @@ void BodyWays::moveInto(const Eigen::Isometry3d& root, BodyWay& way) {
     joint = placed(joint, inverse);
 }
 
-/// Why a body that no link carries may move; "" if it is at rest. Only its poses are known.
+/// Why a body that no link carries may move; "" if it stands. Its speed limit and its braking are
+/// never known.
 std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
   const std::string& ground = groundProblem();
   if (!ground.empty() || frame == scene_.target) return ground;
@@ -224,8 +227,8 @@ std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
   return what + "how it brakes";
 }
 
-/// If the fixed frame is on the robot and moves relative to a frame above it, all bodies at rest
-/// move in the fixed frame.
+/// Why a fixed frame on the robot moves relative to a frame above it; "" if not. If it moves, all
+/// objects that stand move in it.
 std::string BodyWays::whyGroundMoves() const {
   bool is_on_robot = false;
   for (const Frame frame : wayUp(tf_, scene_.target)) {
@@ -241,8 +244,8 @@ std::string BodyWays::whyGroundMoves() const {
   return "";
 }
 
-/// Why the root may move relative to bodies at rest. It cannot if every edge between the root and
-/// the fixed frame is rigid.
+/// Why the root may move relative to objects that stand; "" if all edges between the root and the
+/// fixed frame are rigid.
 std::string BodyWays::whyRootMoves() const {
   std::vector<Frame> edges;
   bool is_on_robot = false;
@@ -262,7 +265,7 @@ std::string BodyWays::whyRootMoves() const {
   return "";
 }
 
-/// True for a static edge, and for a fixed joint whose transform in tf does not change.
+/// Whether the edge cannot move: a static edge without doubt, or a fixed joint that stands in tf.
 bool BodyWays::isRigid(Frame child) const {
   if (tf_.isStatic(child)) return !tf_.isStaticInDoubt(child);
   const auto link = rules_.linkOf(tf_.name(child));
@@ -270,7 +273,7 @@ bool BodyWays::isRigid(Frame child) const {
   return above && rules_.rule(*above).joint->motion == Motion::kNone && isStillInTf(child);
 }
 
-/// Looks at all samples of the copy of tf, however rarely the edge is sent.
+/// Whether the edge stood during all of the copied tf history, however rarely it is sent.
 bool BodyWays::isStillInTf(Frame child) const {
   const EdgeHistory* const history = tf_.history(child);
   if (!history || history->samples().isEmpty()) return false;
@@ -305,8 +308,9 @@ BaseMotion BodyWays::baseIn(Frame frame, std::int64_t stamp, Frame root) const {
   return baseMotion(samples.poses, window_, rules_.model().parameters);
 }
 
-/// Covers the motion in the fixed frame and in each frame between it and the root, such as odom. If
-/// a localisation moves odom opposite to the base, the base seems to stand in the fixed frame.
+/// Covers the motion of the root in the fixed frame and in each frame between the two. The fixed
+/// frame alone is not enough: if a localisation shifts its frame against the motion of the base,
+/// the base seems to stand in the fixed frame.
 BaseMotion BodyWays::findBase(std::int64_t stamp, Frame root) const {
   BaseMotion motion = baseIn(scene_.target, stamp, root);
   for (const Frame child : edgesBetween(tf_, root, scene_.target)) {
@@ -328,7 +332,7 @@ const BodyWays::EdgeMotion& BodyWays::motionOf(Frame child, std::int64_t stamp) 
   return entry->second;
 }
 
-/// An edge that is no joint of the robot is a problem if it moves; for contacts, if it may move.
+/// An edge that is no joint of the robot must not move; for contacts, it must be static.
 BodyWays::EdgeMotion BodyWays::findMotion(Frame child, std::int64_t stamp) {
   EdgeMotion result;
   EdgeSample scratch;
@@ -393,7 +397,7 @@ void BodyWays::addJoint(Frame child, std::size_t index, std::int64_t stamp, Edge
   if (edge.problem.empty()) edge.joint = moving;
 }
 
-/// Adds a fixed, planar or floating joint, or one without an axis.
+/// For fixed, planar and floating joints, and for joints without an axis.
 void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp, EdgeMotion& edge) {
   if (tf_.isStatic(child)) return;
   const bool is_base = joint.motion == Motion::kPlanar || joint.motion == Motion::kFloating;
@@ -416,11 +420,11 @@ void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp,
   if (!base.problem.empty()) edge.problem = joint.name + ": " + base.problem;
   if (!base.joint) return;
   edge.joint = WayJoint{*base.joint, {}, {}};
-  // The base turns about its place at the stamp; the last sample may be later.
+  // The base turns about its position at the stamp; the last sample may be later.
   edge.joint->place.origin = edge.parent_from_child.translation();
 }
 
-/// If /joint_states lacks a mimic joint, this uses the reports of the joint that it mimics.
+/// From /joint_states if it has the joint, or else the joint that it mimics; otherwise from tf.
 JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t stamp,
                              const Eigen::Isometry3d& pose) const {
   if (states_) {
@@ -446,8 +450,8 @@ JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t st
   return unknown;
 }
 
-/// If joints move the link that carries the fixed frame, the root moves relative to the fixed frame
-/// in a way that no parameter describes.
+/// Why the fixed frame moves with a joint of the robot; "" if not. The root would then move in the
+/// fixed frame, in a way that no parameter describes.
 std::string BodyWays::whyFixedFrameMoves() const {
   for (const Frame frame : wayUp(tf_, scene_.target)) {
     const auto link = rules_.linkOf(tf_.name(frame));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds in a copy of the scene which joints move a body, and how they move.
+// Finds which joints move a body, and how they move, from one copy of the scene.
 #pragma once
 
 #include <functional>
@@ -24,38 +24,35 @@ namespace link_bounds {
 
 /// A joint, or a base, on the way from the root to a body.
 struct WayJoint {
-  MovingJoint place;                 ///< in the frame of BodyWay::pose; joints without offsets
+  MovingJoint place;                 ///< in the frame of BodyWay::pose; offsets not set
   std::optional<std::size_t> joint;  ///< its index in the robot; nothing: a base
-  JointState state;                  ///< only for joints
+  JointState state;                  ///< not set for a base
   bool is_speed_known = false;
   double between = 0;  ///< time from the nearest transform to the stamp of the body [s]
 };
 
 /// How a body moves.
 struct BodyWay {
-  std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all is static
-  /// The pose was true at this time at the latest [ns]: the stamp, minus the time by which a
-  /// publisher of tf stamps ahead of our clock.
+  std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all its transforms are static
+  /// From this time on the body may have left the pose [ns]: the stamp, or earlier if the clock of
+  /// a publisher is ahead.
   std::int64_t known = 0;
   bool has_pose = false;
-  bool is_placed =
-      false;  ///< the body gets a box, because its motion or its resting place is known
-  /// In the frame of the boxes. For contacts in the frame of the root, if the root may move in the
-  /// frame of the boxes.
+  bool is_placed = false;  ///< it has a box, which may be too small if there is a problem
+  /// In the frame of the boxes; for contacts, in the root's frame if the root may move.
   Eigen::Affine3d pose = Eigen::Affine3d::Identity();
   std::vector<WayJoint> joints;  ///< the one nearest to the root first
-  std::string problem;           ///< why the motion is not fully known, or ""
+  std::string problem;           ///< why the motion is not fully known; "" if it is
 };
 
-/// kStandstill: where bodies can be until the robot stands, if it brakes. The way includes the
-/// base, and a joint without a known speed is a problem. kContact: how soon bodies can touch if
-/// nothing brakes. The way begins at the root, and every edge that is not a joint must be unable to
-/// move.
+/// kStandstill is for boxes around the motion until the robot stands. The way includes the base,
+/// and the speed of each joint must be known. kContact is for the earliest contacts if nothing
+/// brakes. The way begins at the root, and edges that are no joints must be rigid.
 enum class WayPurpose { kStandstill, kContact };
 
 class BodyWays {
  public:
-  /// `states` may be null. All arguments must outlive this.
+  /// `states` may be null. All must outlive this.
   BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose, const JointStates* states);
 
   BodyWay find(const PastBody& body);
@@ -66,7 +63,7 @@ class BodyWays {
   /// How an edge moves at a stamp.
   struct EdgeMotion {
     Eigen::Isometry3d parent_from_child = Eigen::Isometry3d::Identity();
-    std::optional<WayJoint> joint;  ///< in the frame of the child; a base in that of the parent
+    std::optional<WayJoint> joint;  ///< in the frame of the child; a base: of the parent
     std::string problem;
   };
 
@@ -104,22 +101,22 @@ class BodyWays {
   FrameTracker tracker_;
   std::map<std::pair<Frame, std::int64_t>, EdgeMotion> motions_;
   std::map<std::pair<Frame, std::int64_t>, BaseMotion> bases_;
-  std::string fixed_problem_;                  ///< why the fixed frame moves with a joint, or ""
+  std::string fixed_problem_;                  ///< see whyFixedFrameMoves()
   std::optional<std::string> ground_problem_;  ///< see groundProblem()
 };
 
-/// The request for the copy of the scene that BodyWays needs.
+/// The request for a copy of the scene that BodyWays can use.
 BoxRequest wayRequest(const Parameters& parameters);
 
-/// Boxes of all bodies of a scene, in the order of ~boxes. Each has the stamp of its pose.
+/// Boxes of all bodies of a scene, in the order and with the stamps of ~boxes.
 struct WayBoxes {
   std::shared_ptr<const Moment> moment;
   std::vector<BodyWay> ways;  ///< one per body of the moment
-  std::string problem;     ///< why the first incomplete body is incomplete, and how many more are
-  bool have_poses = true;  ///< all bodies that have a frame have a pose
+  std::string problem;        ///< why the first incomplete body is incomplete; number of others
+  bool have_poses = true;     ///< each body that has a frame has a pose
 };
 
-/// `box_of` makes the box of a body that is placed. It returns nothing if numbers are too large.
+/// `box_of` makes the box of a body with is_placed; nothing if its numbers are too large.
 WayBoxes wayBoxes(
     PastScene& scene, BodyWays& ways,
     const std::function<std::optional<Aabb>(const PastBody&, const BodyWay&)>& box_of);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The reach never decreases with time, so bisection finds the time at which it is large enough.
+// The max displacement never falls with time, so bisection finds when it equals the distance.
 #include "world/stopping/contact_reach.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kReachRounding = 1e-9;  // relative, far more than the rounding errors of a reach
-constexpr std::int64_t kResolution = 1000;  // ns, of times
+constexpr double kReachRounding = 1e-9;     // relative; far above the rounding errors of until()
+constexpr std::int64_t kResolution = 1000;  // ns, where bisection ends
 
 double leverOf(const MovingJoint& joint, const Aabb& box) {
   if (joint.kind == MovingJoint::Kind::kSlide) return 0;
@@ -28,9 +28,8 @@ double leverOf(const MovingJoint& joint, const Aabb& box) {
 
 }  // namespace
 
-/// A joint without a known speed may move at its speed limit at once. Between two transforms, a
-/// joint may have left the interpolated value as far as it can move away from the nearer one and
-/// back.
+/// A joint without a known speed may reach its speed limit at once. At a time g from the nearest
+/// transform, the joint and its interpolated value have each moved by at most max_speed * g.
 ContactReach::ContactReach(const BodyWay& way, const Aabb& box, const StopRules& rules)
     : stamp_(way.stamp), begin_(way.known) {
   for (const WayJoint& joint : way.joints) {
@@ -83,7 +82,7 @@ std::optional<std::int64_t> earliestContact(const ContactReach& a, const Contact
                                             double distance, std::int64_t end) {
   const std::size_t shared = sharedJoints(a, b);
   const auto can_touch = [&](std::int64_t time) {
-    return !(a.until(time, shared) + b.until(time, shared) < distance);  // nor NaN
+    return !(a.until(time, shared) + b.until(time, shared) < distance);  // true for NaN
   };
   const bool a_moves = a.steps_.size() > shared;
   const bool b_moves = b.steps_.size() > shared;

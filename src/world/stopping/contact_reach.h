@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds how far the points of a body can move while every joint obeys its limits, and from that
-// how soon two bodies can touch.
+// How far the points of a body can move while every joint obeys its limits, and so how soon two
+// bodies can touch.
 //
 // Let joint n be the last one before the body, and let it turn by angles up to q about its axis. A
-// point at distance l from that axis then moves by at most the chord s = 2 sin(q / 2) l. So its
-// distance from the axis of the joint before that is at most l' + s, if it was l', and so on:
+// point at distance l from that axis then moves by at most the chord s = 2 sin(q / 2) l. The joint
+// before it then moves a point that may be displaced by s: its distance from that joint's axis is
+// at most l' + s, where l' is its distance before the motion. And so on, towards the root:
 //
-//   s_k = s_(k+1) + 2 sin(q_k / 2) (l_k + s_(k+1))     s_k = s_(k+1) + x_k, if joint k slides by
-//   x_k
+//   s_k = s_(k+1) + 2 sin(q_k / 2) (l_k + s_(k+1))     s_k = s_(k+1) + x_k, if it slides by x_k
 //
-// with l_k the largest distance of a corner of the body's box from axis k. Two bodies at distance d
-// cannot touch before the sum of their s is d. Joints that move both of them count for neither, if
-// the poses of both have the same stamp.
+// with l_k the max distance of a corner of the body's box from axis k. Two bodies that are d apart
+// cannot touch before the sum of their s is d. Joints that move both bodies are left out if the
+// poses of both have the same stamp.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,11 @@ namespace link_bounds {
 
 class ContactReach {
  public:
-  /// `rules` must outlive this.
+  /// The rules must outlive this.
   ContactReach(const BodyWay& way, const Aabb& box, const StopRules& rules);
 
-  /// Max distance [m] by which any point of the body can move until `time` [ns], while the joints
-  /// from index `first` on move.
+  /// Max displacement of a point of the body until `time` [ns], if only the joints from index
+  /// `first` on move [m].
   double until(std::int64_t time, std::size_t first = 0) const;
 
   friend std::size_t sharedJoints(const ContactReach& a, const ContactReach& b);
@@ -43,9 +43,9 @@ class ContactReach {
     std::size_t joint;
     JointState state;
     SpeedRange speed;    ///< at the stamp
-    Braking drive;       ///< limits of its acceleration and speed
+    Braking drive;       ///< its acceleration and max speed
     double uncertainty;  ///< of its value at the stamp [rad or m]
-    double lever;        ///< l_k above [m]; 0 for a sliding joint
+    double lever;        ///< l_k above [m]
   };
 
   double offsetOf(const Step& step, double time) const;
@@ -55,14 +55,14 @@ class ContactReach {
   std::vector<Step> steps_;  ///< the one nearest to the root first
 };
 
-/// The number of joints, counted from the root, that move both; 0 if their stamps differ.
+/// The number of joints, from the root on, that move both bodies; 0 if their stamps differ.
 std::size_t sharedJoints(const ContactReach& a, const ContactReach& b);
 
-/// Whether any joint moves one of the two relative to the other.
+/// Whether any joint moves one body relative to the other.
 bool canMeet(const ContactReach& a, const ContactReach& b);
 
-/// The time [ns] before which two bodies cannot touch if their distance is at least `distance` [m].
-/// It is at most 1 us too early. Nothing if they cannot touch before `end`.
+/// The time before which two bodies that are at least `distance` [m] apart cannot touch [ns]. It
+/// may be up to 1 us too early. Nothing if they cannot touch before `end`.
 std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,
                                             double distance, std::int64_t end);
 

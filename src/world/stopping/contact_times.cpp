@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs within distance_limit get their measured distance. All others are farther apart than that
-// and than their boxes. Of these, only the pair that can touch first is added, if that is before
-// all measured pairs. Pairs that no joint moves relative to each other are not measured: in a
-// scene, most pairs are of two objects.
+// Pairs within distance_limit are measured. All other pairs are farther apart than that, and at
+// least as far as their boxes; of these, only the earliest contact is kept, if it comes before all
+// measured ones. Pairs that no joint moves relative to each other are not measured: in a typical
+// scene these are most pairs, those of two objects.
 #include "world/stopping/contact_times.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace link_bounds {
 namespace {
 
-/// Contacts later than this after the header's stamp are not searched [ns].
+/// Published times are at most this long after the header's stamp; nobody plans further ahead [ns].
 constexpr std::int64_t kHorizon = 10'000'000'000;
 
 ros::Time toTime(std::int64_t nanoseconds) {
@@ -33,7 +33,7 @@ class Contacts {
     }
   }
 
-  /// Whether the distance of two bodies matters: a joint moves them relative to each other.
+  /// Whether the distance of two bodies can change.
   bool canMeet(std::size_t a, std::size_t b) const {
     return link_bounds::canMeet(reaches_[a], reaches_[b]);
   }
@@ -46,7 +46,7 @@ class Contacts {
       add(computed.pairs[i].first, computed.pairs[i].second, computed.array.distances[i].distance);
   }
 
-  /// Bodies farther apart than this [m] cannot touch before first_.
+  /// Bodies farther apart than this cannot touch before the earliest contact found so far [m].
   double margin() const {
     double largest = 0;
     for (const ContactReach& reach : reaches_)
@@ -58,7 +58,7 @@ class Contacts {
     return margin() > limit_ || std::count(complete_.begin(), complete_.end(), false) > 0;
   }
 
-  /// Adds the pair that can touch first, of those that were not measured, by distances of boxes.
+  /// Adds the earliest contact of the pairs that were not measured, by the distance of their boxes.
   void addOthers(std::vector<BoxPair> pairs) {
     const auto cannot_meet = [this](const BoxPair& pair) {
       return !canMeet(pair.first, pair.second);
@@ -114,7 +114,7 @@ class Contacts {
 
   const Moment& moment_;
   const std::int64_t end_;
-  std::int64_t first_;  ///< the earliest time so far
+  std::int64_t first_;  ///< the earliest contact so far [ns]
   std::vector<ContactReach> reaches_;
   std::set<std::pair<std::size_t, std::size_t>> measured_;
   std::vector<Found> found_;

@@ -15,7 +15,7 @@ namespace link_bounds {
 
 struct ComputedContacts {
   EarliestContactArray array;
-  std::string problem;  ///< why the first incomplete body is incomplete, and how many more are
+  std::string problem;  ///< why the first incomplete body is incomplete; number of others
 };
 
 /// Not thread-safe; belongs to one thread.
@@ -24,23 +24,23 @@ class ContactTimes {
   explicit ContactTimes(TreeRequests requests)
       : requests_(std::move(requests)), distances_(requests_) {}
 
-  /// `scene` is a copy for wayRequest(), `rules` are those of its model, `states` may be null.
-  /// Nothing if `is_cancelled`, which is called now and then, returned true. After that, or after
-  /// an exception, such as std::bad_alloc, the next call starts without cached data.
+  /// `scene` is a copy for wayRequest(); `rules` are those of its model; `states` may be null.
+  /// Returns nothing if `is_cancelled`, which is called now and then, returns true. After that, or
+  /// after an exception such as std::bad_alloc, the next call starts with forget().
   std::optional<ComputedContacts> compute(PastScene& scene, const StopRules& rules,
                                           const JointStates* states, TriangleTrees::Time now,
                                           const std::function<bool()>& is_cancelled);
 
   TriangleTrees& trees() { return distances_.trees(); }
 
-  /// Frees the data that is cached between calls, including triangle trees.
+  /// Frees all that is kept between two calls, including trees.
   void forget();
 
  private:
   TreeRequests requests_;
   SceneDistances distances_;
   MomentPairs pairs_;
-  bool is_whole_ = true;  ///< false: the cached data may be of an incomplete computation
+  bool is_whole_ = true;  ///< false: the last call did not end, so kept data may be partial
 };
 
 }  // namespace link_bounds

@@ -8,9 +8,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kStillRounding = 1e-9;  // m, and for entries of a rotation matrix
-constexpr double kChainRounding =
-    4e-15;  // relative to the length of a translation: some 20 roundings
+constexpr double kStillRounding = 1e-9;   // m; relative for a rotation matrix
+constexpr double kChainRounding = 4e-15;  // relative to a translation: about 20 rounding errors
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of successive transforms differ by less than a quarter of a turn, so whole turns are
-// known.
+// Between two successive samples a joint must turn by less than 90 degrees. So its values can be
+// continued beyond full turns.
 #include "world/stopping/joint_speed.h"
 
 #include <algorithm>
@@ -17,16 +17,16 @@ constexpr double kMaxTurn = M_PI / 2;     // rad, between two transforms
 constexpr double kValueRounding = 1e-12;  // rad or m, of the difference of two values
 constexpr double kLimitRounding = 1e-9;   // rad or m
 
-/// Max difference between pose and nearest report, beyond the motion of the joint between them.
+/// Max difference of the values in tf and in a report, beyond the motion between their stamps.
 constexpr double kMaxReportError = 1e-3;  // rad or m
 
-/// Max relative difference, by noise alone, of a joint's motion by velocities and by positions.
+/// Max relative difference of the motions by positions and by velocities that noise alone explains.
 constexpr double kMaxWayError = 0.005;
 constexpr double kPositionNoise = 1e-4;  // rad or m, of encoders
 
 constexpr double kSpeedRounding = 1e-12;  // relative
 
-/// Extends the range by the mean speed between two values, with its rounding error.
+/// Extends the range by the mean speed between two values, plus and minus its rounding error.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
   const double time = static_cast<double>(nanoseconds) / kSecond;
   const double longest = std::abs(difference) + kValueRounding;
@@ -46,7 +46,7 @@ double fastest(double mean, double gain) {
   return std::max(mean + gain / 2, gain);
 }
 
-/// Values at times; those of a turning joint are continuous.
+/// Joint values and their stamps [ns]. The values of a turning joint do not jump by full turns.
 struct TimedValues {
   std::vector<std::int64_t> stamps;
   std::vector<double> values;
@@ -66,7 +66,7 @@ bool haveVelocities(const std::vector<JointReport>& reports) {
                      [](const JointReport& report) { return report.velocity; });
 }
 
-/// Whether all velocities are 0: then the driver may not measure them. All reports must have one.
+/// Whether all velocities are 0, which may mean that they are not measured. None may be missing.
 bool areZeros(const std::vector<JointReport>& reports) {
   return std::all_of(reports.begin(), reports.end(),
                      [](const JointReport& report) { return *report.velocity == 0; });
@@ -79,13 +79,13 @@ bool restedSince(const std::optional<JointReport>& before,
          });
 }
 
-/// The motion from one report to the next, by their velocities [rad or m].
+/// The motion from one report to the next by their velocities [rad or m].
 double wayOf(const JointReport& from, const JointReport& to) {
   return (*from.velocity + *to.velocity) / 2 * static_cast<double>(to.stamp - from.stamp) / kSecond;
 }
 
-/// Whether in a piece of the window velocities and positions give different motions: a driver may
-/// filter velocities, which makes them late, or send zeros now and then.
+/// Whether the motions by velocities and by positions differ in any piece of the window. A driver
+/// may filter the velocities, which makes them late, or send zeros now and then.
 bool contradict(const std::vector<JointReport>& reports, const TimedValues& positions,
                 std::int64_t window) {
   const std::vector<std::size_t> cuts = piecesOf(positions.stamps, window);
@@ -100,7 +100,7 @@ bool contradict(const std::vector<JointReport>& reports, const TimedValues& posi
 }
 
 /// Max difference of the motions by positions and by velocities, from any report of the last piece
-/// to the last report.
+/// to the last report [rad or m].
 double differenceAtEnd(const std::vector<JointReport>& reports, const TimedValues& positions,
                        std::int64_t window) {
   const std::size_t last = reports.size() - 1;
@@ -114,9 +114,9 @@ double differenceAtEnd(const std::vector<JointReport>& reports, const TimedValue
   return largest;
 }
 
-/// All reports must have a velocity. It may have changed between the nearest report and the stamp.
-/// A driver may send zeros instead of measured velocities, so the speeds of the positions count,
-/// too. If they contradict the velocities, the joint may also have gained speed during a piece.
+/// All reports must have a velocity. It may change between the nearest report and the stamp. A
+/// driver may send zeros instead of measured velocities, so speeds by positions count, too. If the
+/// positions contradict the velocities, the joint may also have accelerated during a whole piece.
 void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp,
                        const TimedValues& positions, std::int64_t window, JointState& state) {
   JointState of_positions;
@@ -138,15 +138,15 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   if ((are_zeros && !is_still) || contradict(reports, positions, window)) {
     state.piece += of_positions.piece;
   } else if (!are_zeros) {
-    // If the velocity is wrong by e at the end, and this error changes by at most 2 a per second,
-    // it has made a difference of at least e^2 / (4 a).
+    // Let the last velocity be wrong by e. This error changes by at most 2 a per second, with a the
+    // acceleration. So the motions by velocities and by positions differ by at least e^2 / (4 a).
     state.unseen = std::max(state.unseen, 2 * differenceAtEnd(reports, positions, window));
   }
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
 
-/// Removes the report after the stamp if it is more than `window` later than the previous one.
+/// Removes a last report after the stamp that comes more than `window` after the previous report.
 std::vector<JointReport> withoutLate(std::vector<JointReport> reports, std::int64_t stamp,
                                      std::int64_t window) {
   const std::size_t count = reports.size();
@@ -156,7 +156,7 @@ std::vector<JointReport> withoutLate(std::vector<JointReport> reports, std::int6
   return reports;
 }
 
-/// Whether the positions are close enough in time to give speeds.
+/// Whether the reports are close enough in time to compute speeds from their positions.
 bool tellSpeed(const std::vector<JointReport>& reports, std::int64_t window) {
   const auto is_gap = [window](const JointReport& a, const JointReport& b) {
     return b.stamp - a.stamp > window;
@@ -176,13 +176,13 @@ std::string whyNoDirection(const Joint& joint, const std::string& samples) {
          ", so its direction is not known; send them more often";
 }
 
-/// Max difference between the joint's value at the stamp and the report's position.
+/// Max difference of the joint value at `stamp` from the one in the report [rad or m].
 double reportError(const JointReport& report, const JointState& state, std::int64_t stamp) {
   const double fastest = std::max(std::abs(state.speed.lower), std::abs(state.speed.upper));
   return kMaxReportError + fastest * static_cast<double>(std::abs(stamp - report.stamp)) / kSecond;
 }
 
-/// The report nearest to the stamp; null if there is none.
+/// Null if there is none.
 const JointReport* nearestReport(const std::vector<JointReport>& reports, std::int64_t stamp) {
   const JointReport* nearest = nullptr;
   for (const JointReport& report : reports) {
@@ -201,9 +201,9 @@ TimedValues positionsOf(const std::vector<JointReport>& reports) {
   return found;
 }
 
-/// Makes the positions of a joint without limits continuous: some drivers keep them within one
-/// turn. The velocities give the number of turns. False if the direction is not known, because the
-/// velocities may be zeros that were not measured.
+/// Some drivers keep the positions of continuous joints within one turn. Restores full turns by the
+/// velocities. False if a step of 90 degrees or more contradicts these, which may be zeros that
+/// were not measured: then the direction of the step is not known.
 bool addTurns(const std::vector<JointReport>& reports, std::vector<double>& positions) {
   for (std::size_t i = 1; i < reports.size(); ++i) {
     const double told = wayOf(reports[i - 1], reports[i]);
@@ -215,7 +215,7 @@ bool addTurns(const std::vector<JointReport>& reports, std::vector<double>& posi
   return true;
 }
 
-/// A single velocity may be late or wrong, so this adds the report before it: then positions count.
+/// A single velocity may be late or wrong. With the report before it, positions give a speed, too.
 std::vector<JointReport> withBefore(std::vector<JointReport> reports,
                                     const std::optional<JointReport>& before) {
   if (reports.size() == 1 && before && before->velocity) reports.insert(reports.begin(), *before);
@@ -236,8 +236,8 @@ void addSpeedsOfVelocities(const Joint& joint, const std::vector<JointReport>& r
 void addSpeedsOfPositions(const std::vector<JointReport>& reports, std::int64_t stamp,
                           std::int64_t window, JointState& state) {
   addSpeeds(positionsOf(reports), window, state);
-  // Since the last report the joint may have gained speed, as much as in a piece of twice that
-  // time.
+  // The joint may have accelerated since the last report. For speedAtStamp(), this gap counts as
+  // much as twice its length in a piece.
   const std::int64_t gap = std::max<std::int64_t>(stamp - reports.back().stamp, 0);
   state.piece += 2 * static_cast<double>(gap) / kSecond;
 }

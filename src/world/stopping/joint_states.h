@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The reports of joints in /joint_states.
+// Recent values of joints from /joint_states.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,30 @@
 
 namespace link_bounds {
 
-/// The position and velocity of a joint at a time [ns].
+/// The value of a joint at a time [ns].
 struct JointReport {
   std::int64_t stamp;
   double position;                 ///< [rad or m]
   std::optional<double> velocity;  ///< [rad/s or m/s], if it was sent
 };
 
-/// Messages may come in any order.
+/// Keeps the last ten seconds of each joint. Messages may come in any order.
 class JointStates {
  public:
-  /// Ignores reports without a stamp or a finite position, velocities that are not finite or beyond
-  /// kMaxVelocity, and new joints beyond kMaxJoints. Ignores stamps more than 10 s before the
-  /// newest one of the joint, which are a fault or of a second publisher. After kJump of these in a
-  /// row, time has jumped back: then it forgets all other reports of this joint. It keeps those of
-  /// other joints, whose publisher's clock may be right.
+  /// Ignores reports without a stamp or a finite position, velocities beyond kMaxVelocity, and more
+  /// joints than kMaxJoints. Also ignores a stamp more than ten seconds before the newest one of
+  /// the joint: it is a fault, or from a second publisher. But kJump such stamps in a row mean that
+  /// time jumped back; then only they are kept for this joint. Other joints keep their reports: the
+  /// clock of their publisher may be right.
   void add(const std::string& joint, const JointReport& report);
 
   void clear();
 
-  /// Forgets all reports if the epoch of tf has changed since the last call: the clock has jumped.
+  /// Forgets all if `epoch`, from TransformBuffer::epoch(), has changed since the last call: then
+  /// the clock has jumped back.
   void observeEpoch(std::uint64_t epoch);
 
-  /// The reports of a joint from `window` [ns] before `stamp` to the first one at or after `stamp`,
+  /// The reports of a joint from `window` before `stamp` [ns] to the first one at or after `stamp`,
   /// in order. Nothing for a joint that was never reported.
   std::optional<std::vector<JointReport>> reports(const std::string& joint, std::int64_t stamp,
                                                   std::int64_t window) const;
@@ -41,10 +42,10 @@ class JointStates {
   /// The last report before that stamp, if it is at most a second older.
   std::optional<JointReport> lastBefore(const std::string& joint, std::int64_t stamp) const;
 
-  /// Keeps sums of velocities finite [rad/s or m/s].
+  /// Sums of velocities up to this are finite [rad/s or m/s].
   static constexpr double kMaxVelocity = 1e100;
 
-  /// A publisher may invent names without end.
+  /// Bounds the memory if a publisher keeps inventing names.
   static constexpr std::size_t kMaxJoints = 10'000;
 
  private:
@@ -52,7 +53,7 @@ class JointStates {
 
   struct History {
     Reports reports;
-    Reports old;  ///< the latest reports, in a row, whose stamps are too old for `reports`
+    Reports old;  ///< stamps too old for `reports`, since the last one that was not
   };
 
   static constexpr std::size_t kJump = 10;

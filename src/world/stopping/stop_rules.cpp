@@ -16,7 +16,7 @@ std::vector<Lead> leadsWhereKnown(const Robot& robot) {
   try {
     return leadsOf(robot);
   } catch (const JointError&) {
-    std::vector<Lead> leads;  // joints that mimic each other in a circle count as independent
+    std::vector<Lead> leads;  // an invalid mimic: every joint is its own leader
     for (std::size_t i = 0; i < robot.joints.size(); ++i)
       leads.push_back({i});
     return leads;
@@ -50,7 +50,7 @@ class RuleMaker {
  private:
   const Joint& leader(std::size_t index) const { return robot_.joints[leads_[index].leader]; }
 
-  /// The value for the joint, or for the joint that it follows, times the factor.
+  /// The value for the joint; else that of its leader, times the factor between them.
   std::optional<double> given(const Values& values, std::size_t index) const {
     const auto own = values.find(robot_.joints[index].name);
     if (own != values.end()) return own->second;
@@ -60,7 +60,7 @@ class RuleMaker {
     return of_leader->second * factor;
   }
 
-  /// Nothing for 0, which many descriptions have if the limit is unknown.
+  /// A max speed of 0 counts as unknown: many descriptions have it as a placeholder.
   std::optional<double> maxSpeed(std::size_t index) const {
     const std::optional<double> of_leader = leader(index).max_speed;
     const double factor = std::abs(leads_[index].factor);
@@ -68,8 +68,8 @@ class RuleMaker {
     return *of_leader * factor;
   }
 
-  /// Nothing for swapped limits, which no value obeys, and for equal ones: many descriptions
-  /// without limits have 0 for both.
+  /// Nothing for swapped limits, which no value obeys, and for equal ones: a description without
+  /// limits has 0 for both.
   std::optional<Limits> limits(std::size_t index) const {
     const std::optional<Limits> of_leader = leader(index).limits;
     if (!of_leader || !(of_leader->lower < of_leader->upper)) return std::nullopt;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the joints of a model brake, accelerate and are limited.
+// What a model says about how its joints brake.
 #pragma once
 
 #include <memory>
@@ -16,19 +16,19 @@
 
 namespace link_bounds {
 
-/// The rule of one joint. A mimic joint has a rule of its own: its limits, and the values that the
-/// parameters do not give for it, come from the joint that it follows.
+/// How a joint may move on. A joint that mimics another one counts as independent. Its limits and
+/// its max speed come from its leader, and so do values that the parameters do not set for it.
 struct JointRule {
   const Joint* joint;
-  Lead lead;                       ///< to the joint that it follows, or to itself
-  const Joint* leader;             ///< the joint of `lead`
+  Lead lead;                       ///< how it follows its leader
+  const Joint* leader;             ///< the joint that it mimics, or itself
   Braking braking{0};              ///< deceleration 0: not known
-  std::string why_no_stop;         ///< why its stopping distance is unknown, with the remedy, or ""
-  std::string why_no_speed_limit;  ///< why its max speed is unknown, with the remedy, or ""
+  std::string why_no_stop;         ///< why its stopping distance is not known, with the remedy
+  std::string why_no_speed_limit;  ///< why its max speed is not known, with the remedy
   std::optional<Limits> limits;
 };
 
-/// Made once per model, which must have a robot. Keeps the model alive.
+/// Made once per model, which it keeps alive. The model must have a robot.
 class StopRules {
  public:
   explicit StopRules(std::shared_ptr<const Model> model);
@@ -45,7 +45,7 @@ class StopRules {
   /// The link of the robot with that tf name.
   std::optional<std::size_t> linkOf(std::string_view frame) const;
 
-  /// The rigid body of a link of the robot, and the one to which ~attached attaches an object.
+  /// The rigid body of a link of the robot, and that to which the parameters attach an object.
   std::size_t bodyOfLink(std::size_t link) const { return bodies_.of_links[link]; }
   std::optional<std::size_t> bodyOfObject(const std::string& object) const {
     return bodyOf(*model_, {&object, std::nullopt});

@@ -29,10 +29,10 @@ class ChunkThreads;
 /// depend on the length of the files, and a file that was cut, damaged or never closed is read as
 /// far as possible.
 ///
-/// rosbag's own reader, rosbag::View, needs the index: a bag that was cut or not closed it refuses,
-/// at a damaged chunk it ends, and it remembers each message: for 10 minutes at 100 Hz it takes
-/// 17 MB and for 2 hours 60 MB, this one 4 MB. It takes 4 times as long to read and deserialise
-/// such a bag (scripts/bench bag, Debian 12).
+/// rosbag's own reader, rosbag::View, needs the index: it refuses a bag that was cut or not closed,
+/// ends at a damaged chunk, and remembers each message. At 100 Hz it takes 17 MB for 10 minutes and
+/// 60 MB for 2 hours; this reader takes 4 MB. rosbag::View takes 5 times as long to read and
+/// deserialise such a bag (scripts/bench bag, Debian 12).
 class BagReader {
  public:
   /// Reads only messages of `topics`; of all topics if there are none. Throws std::runtime_error if

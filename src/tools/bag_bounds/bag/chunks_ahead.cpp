@@ -15,7 +15,7 @@ constexpr std::size_t kPerThread = 2;           // chunks, so that no thread wai
 constexpr std::size_t kMaxInput = 64U << 20;    // bytes of all chunks
 constexpr std::size_t kMaxOutput = 256U << 20;  // bytes of all chunks
 constexpr std::size_t kMaxChunkInput = 16U << 20;
-constexpr int kRecordsAtOnce = 10'000;            // other records at once, such as index records
+constexpr int kRecordsAtOnce = 10'000;            // read by one plan(), chunks and others
 constexpr std::chrono::milliseconds kGlance{20};  // between two checks for an interrupt
 
 }  // namespace

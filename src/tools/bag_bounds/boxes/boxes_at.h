@@ -46,7 +46,7 @@ class BoxesAt {
     std::string name;
     const BoundedLink* link;
     std::shared_ptr<const ObjectContent> object;  ///< null for links
-    std::string frame;  ///< by name, because tf may reuse its number before the pose is known
+    std::string frame;  ///< a name, because tf may reuse a number before the pose is known
     Eigen::Affine3d frame_from_body;
     std::int64_t at;  ///< stamp of its pose [ns]
     std::optional<Aabb> box;

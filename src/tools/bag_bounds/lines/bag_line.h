@@ -70,8 +70,9 @@ struct ReadLine {
   std::string question;
   std::string verdict;
   int exit_code = 0;
-  int complete_code = 0;                                   ///< with --allow-incomplete
-  std::optional<std::pair<std::string, double>> coverage;  ///< min: name and share (0 to 1)
+  int complete_code = 0;  ///< with --allow-incomplete
+  std::optional<std::pair<std::string, double>>
+      coverage;  ///< name and share (0..1) of the min coverage
   std::optional<PairOfLine> worst;
   std::vector<ZoneOfLine> zones;
   std::string left_out;  ///< as in the line; "" if the bag was not evaluated

@@ -81,7 +81,7 @@ struct Reading {
   std::size_t bag;
   pid_t process;
   int pipe;
-  std::string text;  ///< of its line, as far as it came
+  std::string text;  ///< the part of its line that has arrived
 };
 
 std::string whyDied(int status) {
@@ -141,7 +141,7 @@ class EachBag {
   BagQuestion& question_;
   const std::string fingerprint_;
   std::vector<BagIdentity> bags_;
-  std::vector<double> bytes_;  ///< number to be read, by bag
+  std::vector<double> bytes_;  ///< bytes to be read, by bag
   SharedNumbers shares_;
   std::list<std::size_t> waiting_;
   std::list<Reading> readings_;

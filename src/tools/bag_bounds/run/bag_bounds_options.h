@@ -34,8 +34,9 @@ struct BagBoundsOptions {
   double min_coverage = 0.99;     ///< of each link, object and zone, 0 to 1; see Coverage
   std::optional<unsigned> jobs;   ///< threads, or bags at once; > 0; none: one per core
   Demand demand;
-  bool each = false;                                      ///< a line per bag, instead of one report
-  std::vector<std::string> resume;                        ///< files that --each wrote before
+  bool each = false;  ///< a line per bag, instead of one report
+  /// Files that earlier runs of --each wrote; their bags are not read again.
+  std::vector<std::string> resume;
   bool merge = false;                                     ///< `bags` are files that --each wrote
   std::map<std::string, std::vector<std::string>> given;  ///< values by name of the option
   bool help = false;                                      ///< the other members are then undefined

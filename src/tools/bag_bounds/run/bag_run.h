@@ -23,8 +23,7 @@ namespace link_bounds {
 
 class BagRun {
  public:
-  /// Called now and then with the share of the bags that was read, 0 to 1, and with 1
-  /// at the end.
+  /// Called regularly with the share of the bags that was read, 0 to 1, and with 1 at the end.
   using OnProgress = std::function<void(double share)>;
 
   /// Opens all files. Throws std::exception. `options` and `question` must outlive this.
@@ -32,7 +31,7 @@ class BagRun {
   BagRun(const BagRun&) = delete;
   BagRun& operator=(const BagRun&) = delete;
 
-  /// Reads the bags to the end of what is to be reported. Throws std::exception.
+  /// Reads the bags to the end of the report. Throws std::exception.
   void read();
 
   /// Call it after read().

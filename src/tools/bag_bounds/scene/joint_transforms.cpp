@@ -88,7 +88,7 @@ void JointTransforms::addTurn(const Joint& joint, const Position& next,
 
 /// A joint turns as far as its leader, times the factor. Drivers may wrap the angle of a continuous
 /// leader. If such an angle changes by half a turn or more, the shorter direction is assumed; it
-/// counts as sure only up to a quarter of a turn.
+/// counts as sure only up to a quarter of a turn, and if the factor is a whole number.
 JointTransforms::Way JointTransforms::wayBetween(const Joint& joint, const Position& last,
                                                  const Position& next) {
   const bool is_of_leader = last.leader == next.leader;

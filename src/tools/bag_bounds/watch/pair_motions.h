@@ -171,7 +171,7 @@ class PairMotions {
   std::map<std::string, std::int64_t> forgotten_;  ///< objects that are gone, with their `until`
   std::int64_t forgotten_until_ = 0;               ///< the latest of these
   std::optional<std::int64_t> delay_;              ///< min of record time minus stamp [ns]
-  std::size_t needed_gone_ = 0;     ///< the first ones, which are the last bodies of the moment
+  std::size_t needed_gone_ = 0;     ///< number of gone_ among the last bodies of the moment
   std::vector<MovedBody> movers_;   ///< by body of the moment
   std::map<BodyKey, Known> known_;  ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it

@@ -52,10 +52,10 @@ struct ZoneRecord {
   /// Proven: no body that has a box came nearer, also between messages [m]. 0 if a body entered the
   /// zone, or if that is undecided.
   double clearance = std::numeric_limits<double>::infinity();
-  std::uint64_t undecided = 0;  ///< number of motions
+  std::uint64_t undecided = 0;  ///< number of motions that may have met the zone
   std::string first_undecided;  ///< a message about the first of them
-  /// Share of the time in which links had boxes: while all of these links also had a box in the
-  /// frame of the zone (0 to 1).
+  /// How much of the time in which links had boxes, each of these links also had one in the frame
+  /// of the zone (0 to 1).
   double coverage = 1;
   bool is_lost = false;  ///< at the end, or at a backward jump, a link lacked a box in that frame
   bool is_late = false;  ///< all links first had one after tf forgot their earlier motions

@@ -34,7 +34,7 @@ ProofControl controlFor(const UrdfBoundsOptions& options) {
   return control;
 }
 
-/// Whether the nearest pose is farther from the proven clearance than the goal's accuracy.
+/// Whether the nearest pose exceeds the proven clearance by more than the goal's accuracy.
 bool isRough(const PairProof& proof, const PairGoal& goal) {
   constexpr double kRounding = 1e-9;  // m
   return proof.nearest - proof.clearance > goal.accuracy + kRounding;
@@ -111,7 +111,7 @@ class ProofCertificate {
   }
 
  private:
-  /// Of one pose it is measured whether the bodies touch.
+  /// A pair that cannot move has one pose, whose contact is measured with the tolerance kTouch.
   PairClaim claimOf(const PairProof& proof) const {
     const double goal = options_.clearance.value_or(0);
     if (proof.verdict == Verdict::kNever)

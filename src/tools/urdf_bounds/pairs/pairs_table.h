@@ -15,7 +15,7 @@
 namespace link_bounds {
 
 struct PairsTable {
-  double clearance = 0;            ///< links nearer than this collide [m]; 0: that touch
+  double clearance = 0;            ///< links nearer than this collide [m]; 0: if they touch
   std::vector<std::string> links;  ///< names
   std::vector<PairProof> rows;     ///< in the order of the links
   std::vector<PairProof> rigid;    ///< pairs of rigidly joined links; only for an SRDF

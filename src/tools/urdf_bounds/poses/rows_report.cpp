@@ -103,7 +103,7 @@ class RowsRun {
     if (options.series) openSeries(*options.series);
   }
 
-  /// Returns the number of rows that were looked at: fewer after Ctrl-C.
+  /// Returns the number of rows that were examined: fewer than all after Ctrl-C.
   std::size_t run() {
     const std::size_t rows = table_.rows();
     std::size_t done = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What --certificate writes with --reach.
+// Writes the file of --certificate with --reach.
 #pragma once
 
 #include <functional>

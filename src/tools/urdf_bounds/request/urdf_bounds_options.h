@@ -12,8 +12,8 @@
 
 namespace link_bounds {
 
-/// What is printed: boxes of one pose or of the rows of a table, or proofs about all poses or about
-/// the motion from row to row.
+/// The kind of report: boxes of one pose or of the rows of a table, or proofs about all poses or
+/// about the motion from row to row.
 enum class Report { kPose, kRows, kPath, kReach, kPairs };
 
 /// The bounding volumes of the paper's Figure 2; kBox is axis-aligned.

@@ -49,7 +49,7 @@ const std::uint8_t* FileBytes::at(std::uint64_t offset, std::size_t size) {
   return is_loaded() ? block_.data() + (offset - begin_) : nullptr;
 }
 
-// Where reading fails or the file has become shorter, the file counts as cut.
+// If reading fails or the file has become shorter, the file counts as cut.
 void FileBytes::load(std::uint64_t offset, std::size_t size) {
   const std::size_t wanted = std::max(size, kBlockSize);
   if (block_.size() < wanted) block_.resize(wanted);

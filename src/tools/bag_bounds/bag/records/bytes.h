@@ -21,7 +21,7 @@ class Bytes {
   virtual std::uint64_t size() const = 0;
 };
 
-/// Called now and then with the place that is being read; true ends the reading.
+/// Called regularly with the position that is being read; true ends the reading.
 using IsInterrupted = std::function<bool(std::uint64_t position)>;
 
 /// A file, of which one block is in memory.

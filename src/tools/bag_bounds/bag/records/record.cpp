@@ -66,7 +66,7 @@ bool isTime(std::string_view value, std::int64_t& time) {
   return nanoseconds < kNanoseconds;
 }
 
-// What has been seen of a header, a bit each.
+// One bit for each field that has been seen in a header.
 enum Field : unsigned {
   kOp = 1,
   kConn = 2,
