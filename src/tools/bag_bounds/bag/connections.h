@@ -29,7 +29,7 @@ class Connections {
   const Connection* find(std::uint32_t number) const;
 
   /// Adds the connection of a record. A number that is announced again is the same connection.
-  /// False if the record is damaged.
+  /// False if the record is damaged, or if all connections together would be too large.
   bool add(Bytes& bytes, const Record& record);
 
  private:

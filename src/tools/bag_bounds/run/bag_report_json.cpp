@@ -71,7 +71,8 @@ class JsonWriter {
            ", \"share\": " + exactNumber(*least->coverage) + "}";
   }
 
-  /// The pair with the smallest proven clearance; of several, the nearest one.
+  /// The pair with the smallest proven clearance; of several, the nearest one, and of these the
+  /// first by name.
   std::string nearestPair() const {
     const auto nearest = std::min_element(
         report_.distances->begin(), report_.distances->end(), [](const auto& a, const auto& b) {

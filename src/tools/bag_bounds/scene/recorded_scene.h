@@ -36,7 +36,7 @@ class RecordedScene {
 
   /// Lets time pass up to the message, with the ticks on the way, then takes the message. False if
   /// it was interrupted: the message was taken in part or not at all, and no more messages may be
-  /// taken. Throws UsageError if the topic has messages of another type than transforms or markers.
+  /// taken. Throws UsageError if the topic has messages of a type that a scene does not take.
   bool take(const BagMessage& message);
 
   /// Takes the positions of joints on this topic as transforms, and the fixed joints at once. Call

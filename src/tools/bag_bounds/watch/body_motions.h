@@ -146,7 +146,7 @@ class BodyMotions {
 
   struct Last {
     std::int64_t stamp = 0;  ///< of the newest pose; 0: there was none, or it does not move
-    std::int64_t ahead = 0;  ///< stamp of the scene's box, if it may be newer; else 0
+    std::int64_t ahead = 0;  ///< stamp of the box in the scene, if there is a view; else 0
     Aabb box;
     bool is_new = false;                          ///< `box` was not visited
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again

@@ -134,7 +134,7 @@ class ZoneWatch {
   struct Seen {
     BodyNumber number;
     const std::string& name;
-    const BoxState& state;     ///< with a box
+    const BoxState& state;     ///< empty if only `motion` is examined
     const BodyMotion* motion;  ///< null: it did not move
   };
 

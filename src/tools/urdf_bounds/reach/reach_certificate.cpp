@@ -20,7 +20,8 @@ constexpr int kLastCells = 64;
 /// A link behind more moving joints is left out.
 constexpr std::size_t kMaxJoints = 100;
 
-/// Supports are rounded to multiples of this step [m]; of a larger one for a link beyond 1 m.
+/// Supports are rounded to multiples of this step [m], or of a larger one for a link that reaches
+/// farther than 1 m.
 constexpr double kStep = 1e-7;
 
 /// The box that the tables prove, and by how much it exceeds the box of the reach [m].

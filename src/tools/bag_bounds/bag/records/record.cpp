@@ -27,8 +27,8 @@ std::uint32_t sizeAt(const std::uint8_t* bytes) {
   return numberAt<std::uint32_t>(reinterpret_cast<const char*>(bytes));
 }
 
-// Calls handle(name, value) for each field, until it returns false. Returns whether all are
-// well-formed.
+// Calls handle(name, value) for each field until it returns false. True if all fields are
+// well-formed and handle() has always returned true.
 template <class Handler>
 bool forEachField(const std::uint8_t* data, std::uint32_t size, Handler handle) {
   std::string_view rest(reinterpret_cast<const char*>(data), size);
