@@ -39,6 +39,7 @@ ModelLoader::Loading::Handlers ModelLoader::loadingHandlers() {
   Loading::Handlers handlers;
   handlers.read = [this](const ParameterServer& server) {
     robot_loader_.forgetFailures();
+    forgetPackages();
     return readParameters<Parameters>(
         server, ros::this_node::getName(),
         [](auto& parameters, auto& reader) { visitParameters(parameters, reader); });
@@ -94,6 +95,12 @@ void ModelLoader::adopt(const ModelPtr& model) {
     limits_ = meshSource(model->parameters).limits;
   }
   handlers_.adopt(model);
+}
+
+/// A package that is new may come before the one that a mesh was read from.
+void ModelLoader::forgetPackages() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  packages_ = nullptr;
 }
 
 std::optional<MeshSource> ModelLoader::source(const MeshReaders::IsCancelled& is_cancelled) {

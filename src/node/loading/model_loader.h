@@ -76,6 +76,7 @@ class ModelLoader {
                        const std::function<bool()>& is_stopping);
   void adopt(const ModelPtr& model);
   ObjectSource::Points unchangedMeshes();
+  void forgetPackages();
   std::uint64_t fileBytes(const std::string& uri);
 
   ros::CallbackQueueInterface& update_queue_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <thread>
 
 namespace link_bounds {
@@ -14,6 +15,12 @@ namespace {
 /// Twice the longest tick of the kernel clock that sets the times of files (10 ms at 100 Hz). Two
 /// writes within one tick give the same version.
 constexpr std::chrono::milliseconds kFileTick(20);
+
+/// File systems with whole seconds, such as ext3, have ticks of 1 s, FAT of 2 s.
+constexpr std::chrono::milliseconds kCoarseTick(2020);
+
+/// A missing file has size 0, so this is not its version either.
+constexpr FileVersion kNeverSettled{0, 0, std::numeric_limits<std::uint64_t>::max(), {}, {}};
 
 bool areEqual(const timespec& a, const timespec& b) {
   return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
@@ -29,7 +36,8 @@ double secondsSince(const timespec& time) {
 
 bool isSettled(const FileVersion& version) {
   const double age = secondsSince(version.changed);
-  return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
+  const std::chrono::duration<double> tick = version.changed.tv_nsec == 0 ? kCoarseTick : kFileTick;
+  return age < 0 || age > tick.count();
 }
 
 }  // namespace
@@ -55,7 +63,7 @@ FileVersion settledVersion(const std::function<FileVersion()>& version, int& tic
   for (;; --ticks_left) {
     const FileVersion now = version();
     if (isSettled(now)) return now;
-    if (ticks_left <= 0 || (is_cancelled && is_cancelled())) return {};
+    if (ticks_left <= 0 || (is_cancelled && is_cancelled())) return kNeverSettled;
     std::this_thread::sleep_for(kFileTick);
   }
 }

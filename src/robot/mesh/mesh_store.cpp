@@ -23,6 +23,11 @@ bool hasTree(MeshContent content) {
   return content == MeshContent::kPointsAndTree || content == MeshContent::kAll;
 }
 
+/// The root decides which further files the mesh may name. No path contains a 0.
+std::string keyOf(const MeshFile& file) {
+  return file.path + '\0' + file.root;
+}
+
 }  // namespace
 
 MeshStore::MeshStore(TimedMeshImporter importer, MeshRemedy remedy)
@@ -32,7 +37,7 @@ LoadedMesh MeshStore::cached(const MeshFile& file) const {
   Entry entry;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = entries_.find(file.path);
+    const auto found = entries_.find(keyOf(file));
     if (found == entries_.end()) return {};
     entry = found->second;
   }
@@ -121,12 +126,12 @@ void MeshStore::remember(const MeshFile& file, FileVersions files, const Request
   if (!mesh.points) {
     const bool is_outdated = mesh.is_cancelled || request.generation != generation_;
     // If points are in use, only reading the triangles failed.
-    if (!is_outdated && !in_use) entries_[file.path] = {nullptr, {}, mesh.error};
+    if (!is_outdated && !in_use) entries_[keyOf(file)] = {nullptr, {}, mesh.error};
     return;
   }
   eraseDead(entries_, max_entries_,
             [](const Entry& entry) { return entry.error.empty() && entry.points.expired(); });
-  Entry& entry = entries_[file.path];
+  Entry& entry = entries_[keyOf(file)];
   const bool is_same = entry.files && *entry.files == files;
   const auto points = is_same ? entry.points.lock() : nullptr;
   if (points) mesh.points = points;
@@ -141,7 +146,7 @@ std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
   std::map<std::string, LoadedMesh> meshes;
   std::vector<std::pair<const MeshFile*, LoadedMesh*>> missing;
   for (const MeshFile& file : files) {
-    const auto [entry, is_new] = meshes.try_emplace(file.path);
+    const auto [entry, is_new] = meshes.try_emplace(keyOf(file));
     if (!is_new) continue;
     LoadedMesh& mesh = entry->second = cached(file);
     const bool has_content = mesh.points && content == MeshContent::kPoints;
@@ -157,7 +162,7 @@ std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
   });
   std::vector<LoadedMesh> results;
   for (const MeshFile& file : files)
-    results.push_back(meshes.at(file.path));
+    results.push_back(meshes.at(keyOf(file)));
   return results;
 }
 

@@ -37,8 +37,8 @@ PROMPT = 5.0 * PATIENCE  # s, for the end of a node
 ENDS = 10.0 * PATIENCE  # s; ten times what is promised
 
 
-def write_stl(path, triangles):
-    triangle = struct.pack("<12fH", *[0] * 3, 0, 0, 0, 1, 0, 0, 1, 1, 1, 0)
+def write_stl(path, triangles, size=1):
+    triangle = struct.pack("<12fH", *[0] * 3, 0, 0, 0, size, 0, 0, size, size, size, 0)
     path.write_bytes(bytes(80) + struct.pack("<I", triangles) + triangle * triangles)
 
 
@@ -108,10 +108,11 @@ class MeshFaults(unittest.TestCase):
         self.large = self.package / "large.stl"
         write_stl(self.large, TRIANGLES)
 
-    def start(self, description, **parameters):
+    def start(self, description, search=None, **parameters):
+        """`search`: where packages are searched first."""
         rospy.set_param("/robot_description", description)
-        environment = dict(os.environ, ROS_PACKAGE_PATH="%s:%s" % (
-            self.package, os.environ["ROS_PACKAGE_PATH"]))
+        folders = [*(search or [self.package]), os.environ["ROS_PACKAGE_PATH"]]
+        environment = dict(os.environ, ROS_PACKAGE_PATH=":".join(map(str, folders)))
         node = NodeProcess(next(self.names), (), environment, timeout=0.0, **parameters)
         self.addCleanup(node.end)
         return node
@@ -181,6 +182,28 @@ class MeshFaults(unittest.TestCase):
                    "the good object")
         wait_for(lambda: 'from "a/0 of ' in node.output, "a line that names the object")
         self.reload(node)
+
+    def test_a_package_that_shadows_another_one(self):
+        """The node has just searched for packages when the new one appears."""
+        old, new = (self.package / name / "pk" for name in ("b", "a"))
+        for folder, width in ((old, 2), (new, 5)):
+            folder.mkdir(parents=True)
+            write_stl(folder / "a.stl", 1, width)
+        (self.package / "package.xml").unlink()
+        (old / "package.xml").write_text("<package><name>pk</name></package>")
+        node = self.start(mesh_robot("package://pk/no.stl"), search=(new.parent, old.parent))
+        boxes, objects = Recorder(node.name + "/boxes"), ObjectSender(node.name)
+        objects.send(marker("a/1", Marker.MESH_RESOURCE, frame="base",
+                            mesh_resource="package://pk/a.stl"))
+
+        def has_width(message, width):
+            return "a/1" in names_of(message) and box_of(message, "a/1").max.x == width
+
+        boxes.wait(lambda m: has_width(m, 2), "the old package")
+        self.reload(node)
+        (new / "package.xml").write_text("<package><name>pk</name></package>")
+        self.reload(node)
+        boxes.wait(lambda m: has_width(m, 5), "the new package")
 
     def test_max_mesh_bytes(self):
         size = self.large.stat().st_size

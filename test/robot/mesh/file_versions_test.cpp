@@ -17,7 +17,15 @@ FileVersion changedNow() {
 
 constexpr FileVersion kOld{1, 2, 3, {4, 5}, {6, 7}};
 
-TEST(SettledVersion, OfAFileThatIsWrittenWithoutEndThereIsNone) {
+/// In a file system without fractions of a second.
+FileVersion changedSecondsAgo(long seconds) {
+  FileVersion version = changedNow();
+  version.changed = {version.changed.tv_sec - seconds, 0};
+  return version;
+}
+
+/// Neither the missing file, which it may be at the next look, nor what it is now.
+TEST(SettledVersion, OfAFileThatIsWrittenWithoutEndIsOfNoFile) {
   int asked = 0, ticks_left = 3;
   const FileVersion version = settledVersion(
       [&] {
@@ -25,7 +33,8 @@ TEST(SettledVersion, OfAFileThatIsWrittenWithoutEndThereIsNone) {
         return changedNow();
       },
       ticks_left);
-  EXPECT_TRUE(version == FileVersion());
+  EXPECT_FALSE(version == FileVersion());
+  EXPECT_EQ(version.inode, 0u);
   EXPECT_EQ(asked, 4);
   EXPECT_EQ(ticks_left, 0);
 }
@@ -36,6 +45,14 @@ TEST(SettledVersion, IsTheFirstThatIsOld) {
   EXPECT_TRUE(settledVersion(oldAtLast, ticks_left) == kOld);
   EXPECT_EQ(asked, 3);
   EXPECT_EQ(ticks_left, 1);
+}
+
+TEST(SettledVersion, WaitsLongerWhereTimesAreWholeSeconds) {
+  int ticks_left = 0;
+  const auto later = [] { return changedSecondsAgo(1); };
+  EXPECT_EQ(settledVersion(later, ticks_left).inode, 0u);
+  const auto old = [] { return changedSecondsAgo(3); };
+  EXPECT_EQ(settledVersion(old, ticks_left).inode, 2u);
 }
 
 TEST(SettledVersion, IsThatOfAnOldFileAlsoWhereNoTicksAreLeft) {

@@ -72,6 +72,22 @@ class MeshStoreTest : public testing::Test {
   }};
 };
 
+/// A mesh that may not name a file of one root may name it of another one.
+TEST_F(MeshStoreTest, OneFileOfTwoRootsIsReadForEach) {
+  const MeshFile wide = write("a.txt", "2");
+  const MeshFile narrow{wide.path, wide.root + "/none"};
+  MeshStore store([&](const MeshFile& file) {
+    if (file.root == narrow.root) throw MeshError("it names a file outside");
+    return readTriangle(file);
+  });
+  for (int i = 0; i < 2; ++i) {
+    const std::vector<LoadedMesh> meshes = store.load({narrow, wide});
+    EXPECT_EQ(meshes[0].points, nullptr);
+    EXPECT_EQ(meshes[0].error, "it names a file outside; repair or replace the file");
+    EXPECT_TRUE(meshes[1].points) << meshes[1].error;
+  }
+}
+
 double sizeOf(const LoadedMesh& mesh) {
   return mesh.points->magnitude().x();
 }
