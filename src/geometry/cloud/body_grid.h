@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tells whether a point belongs to a body. For nearly all points, one look into a grid is enough.
 //
-// The grid covers the body's box with the padding. The class of a cell holds for all its points:
-// all surely belong to the body, none does, or each point is decided by its distance.
+// The grid covers the body's box with the padding and the max slack. The class of a cell holds for
+// all its points: all surely belong to the body, none does, or each point is decided by its
+// distance from the surface and, where the surface may cross the cell, by its side of it.
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,8 @@ std::string ParameterServer::resolved(const std::string& ns, const std::string& 
   return ros::names::resolve(ns, remapped(name), false);
 }
 
-/// searchParam searches upward from the namespace of the caller, so `ns` is passed as the caller.
+/// searchParam takes the name of the caller as the first namespace and searches upward, so `ns` is
+/// passed as the caller.
 std::optional<std::string> ParameterServer::search(const std::string& ns,
                                                    const std::string& name) const {
   auto found = call("searchParam", ns, remapped(name));

@@ -14,8 +14,8 @@
 
 namespace link_bounds {
 
-/// Several threads for small meshes and one for all large ones, so a small mesh never waits for a
-/// large one. Each request is answered as soon as its result is ready.
+/// One to four threads for small meshes, as many as cores, and one for all large ones, so that a
+/// small mesh never waits for a large one.
 class MeshReaders {
  public:
   /// True if the result is no longer needed: a newer job has the same key, or the node is shutting

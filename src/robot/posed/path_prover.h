@@ -39,7 +39,7 @@ const char* toText(PathVerdict verdict);
 
 struct SegmentProof {
   PathVerdict verdict = PathVerdict::kUndecided;
-  double clearance = 0;  ///< proven: no two bodies are nearer on the way [m]
+  double clearance = 0;  ///< proven: no examined pair comes nearer [m]; 0 if a body is incomplete
   /// Upper bound of the distance of the bodies `first` and `second` at `share` [m]; infinite if no
   /// pose was measured.
   double nearest = std::numeric_limits<double>::infinity();

@@ -97,7 +97,7 @@ ReachBound::Supports ReachBound::unionOfSlices(std::size_t joint, const Directio
   return result;
 }
 
-/// Rows of a pose are the axes of the box, so three directions take one box.
+/// Three directions become the rows of a pose: along its axes, the box has the supports in them.
 ReachBound::Supports ReachBound::supportsOfLink(const Directions& directions) const {
   std::vector<double> result;
   result.reserve(directions.size());

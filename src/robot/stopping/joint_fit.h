@@ -9,7 +9,8 @@
 
 namespace link_bounds {
 
-/// The joint value nearest to a pose, and how far the pose is from what the joint allows.
+/// The joint value nearest to a pose, whatever the limits, and how far the pose is from that of
+/// such a joint.
 struct JointFit {
   double value = 0;  ///< [rad, from -pi to pi, or m]; of a planar joint its turn, of a fixed one 0
   double length_error = 0;  ///< [m]

@@ -17,7 +17,8 @@
 namespace link_bounds {
 namespace {
 
-/// Extensions of glTF that change where vertices are, and that assimp leaves out.
+/// Extensions of glTF that assimp ignores, and without which vertices are missing or read wrongly:
+/// other encodings of the data, and instances.
 constexpr std::array<const char*, 4> kUnknownToAssimp{
     "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
     "KHR_meshopt_compression"};

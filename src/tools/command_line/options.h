@@ -59,7 +59,7 @@ struct Option {
   bool is_repeatable = false;  ///< an option without a value may always be repeated
 };
 
-/// Sets the target to true.
+/// An option without a value, which sets the target to true.
 Option flag(const char* name, bool& target);
 
 /// An option with a value that may be given several times.

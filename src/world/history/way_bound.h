@@ -41,8 +41,9 @@ class EdgeWays {
 
   const TransformBuffer& tf() const { return tf_; }
 
-  /// The motion of the edge above `child`. Nothing if this fast method cannot bound it: the history
-  /// does not cover the span, the edge changes its parent, or a quaternion does not have length 1.
+  /// The motion of the edge above `child`. Nothing without an edge, or if this fast method cannot
+  /// bound it: the history does not cover the span, the child had another parent in it than now, or
+  /// a quaternion does not have length 1.
   /// Valid until the next call.
   const std::optional<EdgeWay>& during(Frame child, MotionSpan span);
 

@@ -244,8 +244,9 @@ std::string BodyWays::whyGroundMoves() const {
   return "";
 }
 
-/// Why the root may move relative to objects that stand; "" if all edges between the root and the
-/// fixed frame are rigid.
+/// Why the root may move relative to objects that stand; "" if it cannot. Checks the edges between
+/// the root and the fixed frame; for a fixed frame on the robot, all edges from it up to the top of
+/// tf, because objects may stand in any frame above.
 std::string BodyWays::whyRootMoves() const {
   std::vector<Frame> edges;
   bool is_on_robot = false;

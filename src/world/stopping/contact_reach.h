@@ -43,7 +43,7 @@ class ContactReach {
     std::size_t joint;
     JointState state;
     SpeedRange speed;    ///< at the stamp
-    Braking drive;       ///< its acceleration and max speed
+    Braking drive;       ///< the joint's max speed, and its acceleration if the speed is known
     double uncertainty;  ///< of its value at the stamp [rad or m]
     double lever;        ///< l_k above [m]
   };

@@ -216,7 +216,8 @@ std::size_t FrameTracker::append(std::size_t inner, Frame frame, Frame edge, Ste
   return nodes_.size() - 1;
 }
 
-/// The fixed frame in itself has the stamp of its own edge, as in tf2.
+/// Computes pose, stamp and problem of a node. If the fixed frame itself is followed, its stamp is
+/// that of the edge to its parent, as in tf2.
 void FrameTracker::place(Node& node) {
   if (node.step == Step::kNone) return;
   const Node& inner = nodes_[node.inner];

@@ -220,7 +220,7 @@ class TransformBuffer {
   friend class TfExcerpt;  // fills a copy edge by edge, with the names of the original
 
   struct Edge {
-    std::uint64_t message = 0;  ///< number of the last message with this edge
+    std::uint64_t message = 0;  ///< version() at the last accepted transform or jumpAhead()
     std::int64_t received = 0;
     std::int64_t newest = 0;
     Frame parent = 0;

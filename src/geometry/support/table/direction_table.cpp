@@ -27,7 +27,8 @@ constexpr int kPasses = 4;
 /// A scan over this many points takes about as long as a look-up in a grid that is in no cache.
 constexpr std::size_t kGriddedPoints = 64;
 
-/// Share of the square's side by which indices are reduced: rounding cannot make one equal `side`.
+/// DirectionGrid::half is less than half the side by this share of it, so that no index is `side`,
+/// also when it is rounded to 2^-kFraction.
 constexpr double kGridMargin = 1.25e-7;
 static_assert(kCoarsestGrid * kGridMargin > 0.5 / (1 << kFraction), "an index could be `side`");
 static_assert(kFinestGrid < 1 << (50 - kFraction), "kShifter could not hold an index");

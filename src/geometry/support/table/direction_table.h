@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// How far a rigid set of points extends along any direction, in constant time and exactly.
+/// How far a rigid set of points extends along any direction, from a few points instead of all, and
+/// exact but for kTableTolerance.
 ///
 /// The world box of a turned mesh needs six numbers: for each row r of the linear part of its pose,
-/// the smallest and the largest r . p over the points p. The paper finds them by looping over all
-/// vertices at each update. But which vertices can win depends on the direction of r alone, and
-/// that can be prepared once, when the mesh is loaded:
+/// the smallest and the largest r . p over the points p. The paper (doc/paper.md) finds them by
+/// looping over all vertices at each update. But which vertices can win depends on the direction of
+/// r alone, and that can be prepared once, when the mesh is loaded:
 ///
 ///   1. Fold. r and -r have the same extreme points, so half of all directions suffice. The half
 ///      sphere is flattened to a square (the octahedral map: x, y, z divided by |x| + |y| + |z|,

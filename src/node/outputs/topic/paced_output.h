@@ -24,8 +24,9 @@ class PacedOutput {
   /// (`scripts/bench overload --stopping`).
   static constexpr double kPatienceOfMarkers = 0.25;
 
-  /// `periodic`, which must outlive this, calls `emit` through `guard` when 1 + `patience` periods
-  /// are over.
+  /// For a request that waits, `periodic` calls `emit` through `guard`, 1 + `patience` periods
+  /// after the last call. `periodic` must outlive this, but must call no alarms after the end of
+  /// this.
   PacedOutput(Periodic& periodic, Guard guard, std::function<void()> emit, double patience = 0);
   PacedOutput(const PacedOutput&) = delete;
   PacedOutput& operator=(const PacedOutput&) = delete;

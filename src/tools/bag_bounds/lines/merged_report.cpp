@@ -19,9 +19,8 @@ namespace {
 
 using Lines = std::map<std::string, ReadLine>;
 
-/// The better of two lines of one bag. One machine may have had no access to the bag, or only to
-/// its begin, while another machine has read all of it. Throws UsageError if two full readings
-/// differ.
+/// The better of two lines of one bag. A line gives way if its machine could not open the bag,
+/// died, or had only an unusable begin of it. Throws UsageError if both have a verdict and differ.
 ReadLine betterOf(const ReadLine& first, const ReadLine& second) {
   const auto was_read = [&](const ReadLine& line) {
     const ReadLine& other = &line == &first ? second : first;

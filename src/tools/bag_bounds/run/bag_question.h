@@ -18,8 +18,8 @@ namespace link_bounds {
 /// Reads the robot, its meshes and the zones once, for any number of bags.
 class BagQuestion {
  public:
-  /// Throws std::exception, also if an output would overwrite an input. `options` must outlive
-  /// this.
+  /// Throws std::exception if the robot or the zones cannot be read or used, or if an output would
+  /// overwrite an input. `options` must outlive this.
   explicit BagQuestion(const BagBoundsOptions& options);
   BagQuestion(const BagQuestion&) = delete;
   BagQuestion& operator=(const BagQuestion&) = delete;

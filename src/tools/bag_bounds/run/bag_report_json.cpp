@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A report as JSON, with one list element per line. doc/tools.md describes the keys.
+// A report as JSON: in full, with one box, zone, stay, pair or reason per line, or its summary in
+// one line. doc/tools.md describes the keys.
 #include <algorithm>
 #include <array>
 #include <sstream>

@@ -339,7 +339,7 @@ std::vector<std::string> BagRun::losses() const {
   return losses;
 }
 
-/// Links come first. Those without shapes never have a box.
+/// Adds the coverage of links, which are the first boxes. Links without shapes get none.
 void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   const std::vector<double> shares = coverage_.shares();
   const std::vector<std::int64_t> delays = coverage_.delays();

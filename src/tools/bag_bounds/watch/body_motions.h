@@ -205,7 +205,8 @@ class BodyMotions {
   WayBound ways_;
   WayBound scene_ways_;
   TransformBuffer::Frame target_;
-  std::int64_t view_stamp_ = 0;  ///< of the scene's fixed frame in the view; 0: none, or it stands
+  /// Newest stamp of the scene's fixed frame in the view so far; 0: none yet, or it stands.
+  std::int64_t view_stamp_ = 0;
   std::int64_t view_since_ = 0;  ///< begin of the motions up to view_stamp_
   std::vector<double> radii_;    ///< of the links
   std::vector<Last> last_links_;

@@ -11,8 +11,9 @@
 namespace link_bounds {
 
 /// Writes a proof for each SAFE segment. `proofs` has one per motion. Returns the number of SAFE
-/// segments without a proof: it would be too long, or `is_over` stopped it. `out` comes from
-/// beginCertificate(). Throws UsageError if it cannot be written.
+/// segments without a proof: it would be too long or need too short intervals, its check fails
+/// where nothing moves, or `is_over` stopped it. Ends and closes `out`, which comes from
+/// beginCertificate(). Throws UsageError if the file cannot be written.
 std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& simple,
                                  const PathBodies& bodies, const std::vector<JointMotion>& motions,
                                  const std::vector<SegmentProof>& proofs,
