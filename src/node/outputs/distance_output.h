@@ -21,9 +21,8 @@ namespace link_bounds {
 
 /// The data on distances in /diagnostics.
 struct DistanceHealth {
-  bool is_wanted =
-      false;              ///< somebody listens, or distance_warning is set; else there are no pairs
-  std::size_t pairs = 0;  ///< in the last ~distances, as the next three
+  bool is_wanted = false;  ///< somebody listens, or distance_warning is set; else no pairs
+  std::size_t pairs = 0;   ///< in the last ~distances, as the next three
   std::array<std::size_t, 3> levels{};
   std::size_t left_out = 0;         ///< pairs beyond max_pairs
   std::optional<Distance> nearest;  ///< none before the first ~distances

@@ -21,10 +21,9 @@ using MeshUse = std::shared_ptr<const std::string>;
 
 /// An object as its publisher describes it. Shared with other threads, so it never changes.
 struct ObjectContent {
-  BoundedLink bounded;  ///< its shapes, in the header frame, and the name of its box
-  std::string frame;    ///< header frame, tf name
-  std::int64_t stamp =
-      0;  ///< nanoseconds; placed once by the transform at this time. 0: follows tf
+  BoundedLink bounded;     ///< its shapes, in the header frame, and the name of its box
+  std::string frame;       ///< header frame, tf name
+  std::int64_t stamp = 0;  ///< [ns]; placed once by the transform at this time. 0: follows tf
   ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
   std::string mesh_uri;    ///< of its mesh, if any; while that loads, the shape has no points
   MeshUse mesh_use;        ///< null without a mesh

@@ -104,8 +104,8 @@ BodyWay BodyWays::find(const PastBody& body) {
     way.problem = "tf has no frame of the link to which it is attached";
     return way;
   }
-  const FramePose start =
-      tracker_.keep(*mover);  // a copy: the next keep() may invalidate the reference
+  // A copy, because the next keep() may invalidate the reference.
+  const FramePose start = tracker_.keep(*mover);
   if (start.problem != TransformProblem::kNone) {
     way.problem = describe(start.problem, tf_.name(*mover), scene_.frameName());
     return way;
