@@ -197,7 +197,8 @@ class MeshFaults(unittest.TestCase):
                             mesh_resource="package://pk/a.stl"))
 
         def has_width(message, width):
-            return "a/1" in names_of(message) and box_of(message, "a/1").max.x == width
+            return ("a/1" in names_of(message) and
+                    math.isclose(box_of(message, "a/1").max.x, width))
 
         boxes.wait(lambda m: has_width(m, 2), "the old package")
         self.reload(node)
