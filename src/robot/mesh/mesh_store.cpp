@@ -23,7 +23,7 @@ bool hasTree(MeshContent content) {
   return content == MeshContent::kPointsAndTree || content == MeshContent::kAll;
 }
 
-/// The root decides which further files the mesh may name. No path contains a 0.
+/// The root decides which further files the mesh may name. No path contains a null byte.
 std::string keyOf(const MeshFile& file) {
   return file.path + '\0' + file.root;
 }

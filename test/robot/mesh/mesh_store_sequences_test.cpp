@@ -9,6 +9,7 @@
 #include <map>
 
 #include "link_bounds/robot/mesh/mesh_store.h"
+#include "link_bounds/robot/mesh/mesh_uri.h"
 #include "testing/brute_force.h"
 #include "testing/temporary_folder.h"
 
@@ -30,17 +31,18 @@ std::string partOf(const MeshFile& file) {
 }
 
 /// Reads a file whose text is a number n as a triangle of size n. The number may be in another
-/// file, which it names; other text is an error.
+/// file, which it names, if that is below the root; other text is an error.
 ImportedMesh triangleIn(const MeshFile& file) {
   FileVersions files;
   const std::string part = partOf(file);
+  if (!part.empty() && !isBelow(file.root, part)) throw MeshError("it is no number");
   if (!part.empty()) files[part] = fileVersion(part);
   float size = 0;
   if (!(std::ifstream(part.empty() ? file.path : part) >> size)) throw MeshError("it is no number");
   return {TriangleMesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}}, files};
 }
 
-/// What MeshStore promises for one file.
+/// What MeshStore promises for one file of one root.
 struct Expectation {
   bool has_failed = false;  ///< since failures were forgotten
   bool has_changed = true;  ///< it or its part, since it was last imported
@@ -52,7 +54,7 @@ class Sequence {
  public:
   explicit Sequence(std::uint64_t seed) : random_(seed) {
     for (std::size_t i = 0; i < kFiles; ++i)
-      files_.push_back({folder_.write(std::to_string(i), "1"), folder_.path().string()});
+      paths_.push_back(folder_.write(std::to_string(i), "1"));
     for (std::size_t i = 0; i < kParts; ++i)
       parts_.push_back(folder_.write(kPart + std::to_string(i), "1"));
   }
@@ -61,7 +63,7 @@ class Sequence {
     for (int step = 0; step < kSteps && !testing::Test::HasFailure(); ++step) {
       switch (below(6)) {
         case 0:
-          changeFile(files_[below(kFiles)].path, below(2) == 0);
+          changeFile(paths_[below(kFiles)], below(2) == 0);
           break;
         case 1:
           changeFile(parts_[below(kParts)], false);
@@ -79,6 +81,10 @@ class Sequence {
   }
 
  private:
+  using Key = std::pair<std::string, std::string>;  ///< path and root
+
+  static Key keyOf(const MeshFile& file) { return {file.path, file.root}; }
+
   std::size_t below(std::size_t count) {
     return static_cast<std::size_t>(random_.uniform(0, 1) * static_cast<double>(count)) % count;
   }
@@ -87,7 +93,7 @@ class Sequence {
 
   void changeFile(const std::string& path, bool names_part) {
     for (auto& [mesh, file] : expected_)
-      file.has_changed = file.has_changed || mesh == path || file.part == path;
+      file.has_changed = file.has_changed || mesh.first == path || file.part == path;
     const std::string text = names_part ? kPart + std::to_string(below(kParts)) : number();
     const auto time = fs::exists(path) ? fs::last_write_time(path) : fs::file_time_type();
     switch (below(6)) {
@@ -117,7 +123,7 @@ class Sequence {
 
   void forgetFailures() {
     store_.forgetFailures();
-    for (auto& [path, file] : expected_)
+    for (auto& [key, file] : expected_)
       file.has_failed = false;
   }
 
@@ -128,17 +134,17 @@ class Sequence {
     const MeshContent content = kContents[below(kContents.size())];
     std::vector<MeshFile> batch;
     for (std::size_t i = 1 + below(4); i > 0; --i)
-      batch.push_back(files_[below(kFiles)]);
-    std::map<std::string, bool> is_imported;
+      batch.push_back({paths_[below(kFiles)], folder_.path().string() + (below(4) ? "" : "/none")});
+    std::map<Key, bool> is_imported;
     for (const MeshFile& file : batch) {
-      const Expectation& now = expected_[file.path];
+      const Expectation& now = expected_[keyOf(file)];
       const bool is_known = !now.has_changed && !now.points.expired();
-      is_imported[file.path] = !now.has_failed && (!is_known || content != MeshContent::kPoints);
+      is_imported[keyOf(file)] = !now.has_failed && (!is_known || content != MeshContent::kPoints);
     }
     imports_ = 0;
     const std::vector<LoadedMesh> meshes = store_.load(batch, nullptr, content);
     int expected_imports = 0;
-    for (const auto& [path, imported] : is_imported)
+    for (const auto& [key, imported] : is_imported)
       expected_imports += imported;
     EXPECT_EQ(imports_, expected_imports);
     for (std::size_t i = 0; i < batch.size(); ++i)
@@ -147,7 +153,7 @@ class Sequence {
   }
 
   void check(const MeshFile& file, const LoadedMesh& mesh, MeshContent content) {
-    Expectation& now = expected_[file.path];
+    Expectation& now = expected_[keyOf(file)];
     if (now.has_failed) {
       EXPECT_FALSE(mesh.points) << "failures are remembered";
       EXPECT_EQ(mesh.error, "it is no number; repair or replace the file");
@@ -176,9 +182,9 @@ class Sequence {
 
   brute_force::Random random_;
   TemporaryFolder folder_;
-  std::vector<MeshFile> files_;
+  std::vector<std::string> paths_;
   std::vector<std::string> parts_;
-  std::map<std::string, Expectation> expected_;  // by path
+  std::map<Key, Expectation> expected_;
   std::vector<LoadedMesh> held_;
   std::atomic<int> imports_{0};
   MeshStore store_{[this](const MeshFile& file) {

@@ -13,7 +13,8 @@ import rostest
 from bounds_testing import Recorder, TfSender, box_link, robot, transform, wait_for
 from cloud_testing import cloud
 from diagnostic_msgs.msg import DiagnosticArray
-from rosgraph_msgs.msg import Clock
+from link_bounds.msg import DistanceArray
+from rosgraph_msgs.msg import Clock, Log
 from sensor_msgs.msg import PointCloud2
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -88,6 +89,24 @@ class CloudClock(unittest.TestCase):
         # What tf said of the time before the jump is forgotten.
         self.assertTrue(self.is_removed(501, 2, 2))
         self.assertFalse(self.is_removed(502, 2, 1))
+
+    def test_missing_nearest_points_are_logged_while_the_clock_stands(self):
+        """It stands within its first ten seconds. As in cloud_filter_test, the hand turns so fast
+        that nothing is known of a point far away."""
+        log, nearest = Recorder("/rosout", Log), Recorder("/cloud_filter/nearest", DistanceArray)
+        for recorder in (log, nearest):
+            wait_for(lambda: recorder.subscriber.get_num_connections() >= 1, recorder.topic)
+        begin = rospy.Time(5)
+
+        def is_logged():
+            self.clock.publish(Clock(begin))
+            for i in range(-5, 10):
+                self.tf.send(transform("sensor", "hand", begin + rospy.Duration(i / 50), (0, 0, 0),
+                                       (0, 0, math.sin(i / 2), math.cos(i / 2))))
+            self.clouds.publish(cloud(begin, [(900, 0, 0), (0, 0, 2)], (0, 90000000)))
+            time.sleep(0.1)
+            return any(message.msg.startswith("no ~nearest: ") for message in log.messages)
+        wait_for(is_logged, "why there are no nearest points")
 
 
 if __name__ == "__main__":

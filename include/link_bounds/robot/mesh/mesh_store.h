@@ -104,7 +104,7 @@ class MeshStore {
   TimedMeshImporter importer_;
   MeshRemedy remedy_;
   mutable std::mutex mutex_;
-  std::map<std::string, Entry> entries_;  ///< guarded by mutex_
+  std::map<std::string, Entry> entries_;  ///< guarded by mutex_; by path and root
   std::size_t max_entries_;               ///< guarded by mutex_; before dead ones are erased
   std::uint64_t generation_ = 0;          ///< guarded by mutex_; changes with forgetFailures()
 };

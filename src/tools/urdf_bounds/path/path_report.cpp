@@ -241,8 +241,7 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   PathTable result{options.clearance.value_or(0), bodies.names, {}, bodies.incomplete};
   const Robot simple = withSimpleJoints(robot);
   const std::vector<JointMotion> motions = motionsOf(options, table, given);
-  const auto row_name = [](std::size_t row) { return "row " + std::to_string(row + 1); };
-  std::vector<std::string> problems = overshoots(simple, motions, row_name);
+  std::vector<std::string> problems = overshoots(simple, motions, rowName);
   for (std::string& problem : problems)
     problem.insert(0, *options.poses + ": ");
   tellProblems(options, problems);
