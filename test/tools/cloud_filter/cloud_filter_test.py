@@ -187,19 +187,23 @@ class CloudFilter(unittest.TestCase):
 
     def test_more_clouds_than_can_wait_for_tf_are_late(self):
         self.send_tf(-0.1, 0)
-        stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 67)]
+        stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 66)]
         self.clouds.publish(cloud(stamps[0], [(LEFT, 0)]))
-        for name in ("/cloud_filter", "/late_filter"):
+        filters = "/cloud_filter", "/late_filter"
+        for name in filters:
             wait_status(self.status, name, lambda status: any(
                 (value.key, value.value) == ("waiting", "1") for value in status.values), False)
-        # More than a status has rows for reasons, whose times differ.
-        for begin, end, refused in (1, 41, 9), (41, 66, 34):
+        # At once no more than an input's queue holds. The last ones are more than a status has rows
+        # for reasons, and their times differ.
+        for begin, end in (1, 33), (33, 65):
             for stamp in stamps[begin:end]:
                 self.clouds.publish(cloud(stamp, [(LEFT, 0)]))
-            wait_for(lambda n=refused: self.refused("does not cover the span") == n,
-                     "those that cannot wait are counted, and why")
-        self.late.wait(lambda m: m.header.stamp == stamps[33], "the last late one is passed")
-        self.assertEqual([m.header.stamp for m in self.messages_of_this_test(self.late)], stamps[:34])
+            for name in filters:
+                wait_for(lambda n=name, count=end - 32:
+                         self.refused("does not cover the span", n) == count,
+                         "those that cannot wait are counted, and why")
+        self.late.wait(lambda m: m.header.stamp == stamps[32], "the last late one is passed")
+        self.assertEqual([m.header.stamp for m in self.messages_of_this_test(self.late)], stamps[:33])
         self.send_tf(0, 0.1)
         self.output.wait(lambda m: m.header.stamp == stamps[-1], "the last cloud")
         # The newest ones are left, in their order.
