@@ -41,17 +41,18 @@ bool TimedQueue::takeOne(Entry& entry) {
   entry = std::move(entries_.front());
   entries_.pop_front();
   is_calling_ = true;
+  is_caller_removed_ = false;
   caller_ = entry.owner;
   thread_ = std::this_thread::get_id();
   return true;
 }
 
-/// A callback that returned TryAgain goes to the end of the queue.
+/// A callback that returned TryAgain goes to the end of the queue, unless its owner was removed.
 void TimedQueue::endCall(Entry entry) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     is_calling_ = false;
-    if (entry.callback) entries_.push_back(std::move(entry));
+    if (entry.callback && !is_caller_removed_) entries_.push_back(std::move(entry));
   }
   rest_.notify_all();
 }
@@ -72,6 +73,7 @@ void TimedQueue::removeByID(std::uint64_t owner) {
   const auto first = std::stable_partition(entries_.begin(), entries_.end(), stays);
   std::move(first, entries_.end(), std::back_inserter(removed));
   entries_.erase(first, entries_.end());
+  is_caller_removed_ |= is_calling_ && caller_ == owner;
   if (is_calling_ && thread_ == std::this_thread::get_id()) return;
   rest_.wait(lock, [&] { return !is_calling_ || caller_ != owner; });
 }

@@ -60,8 +60,9 @@ class TimedQueue : public ros::CallbackQueueInterface {
   std::deque<Entry> entries_;
   std::size_t max_waiting_ = 0;
   bool is_calling_ = false;
-  std::uint64_t caller_ = 0;  ///< owner of the running callback
-  std::thread::id thread_;    ///< thread of the running callback
+  bool is_caller_removed_ = false;  ///< removeByID of its owner came while it ran
+  std::uint64_t caller_ = 0;        ///< owner of the running callback
+  std::thread::id thread_;          ///< thread of the running callback
 };
 
 }  // namespace link_bounds

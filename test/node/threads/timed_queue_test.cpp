@@ -121,20 +121,38 @@ TEST(TimedQueue, AnOwnerEndsAfterItsCallback) {
 /// Asks to be called again, once.
 class Again : public ros::CallbackInterface {
  public:
-  explicit Again(int& calls) : calls_(calls) {}
-  CallResult call() override { return ++calls_ == 1 ? TryAgain : Success; }
+  explicit Again(std::function<void()> work) : work_(std::move(work)) {}
+
+  CallResult call() override {
+    work_();
+    return std::exchange(is_called_, true) ? Success : TryAgain;
+  }
 
  private:
-  int& calls_;
+  std::function<void()> work_;
+  bool is_called_ = false;
 };
 
 TEST(TimedQueue, CallsAgainWhatAsksForIt) {
   TimedQueue queue;
   int calls = 0;
-  queue.addCallback(boost::make_shared<Again>(calls));
+  queue.addCallback(boost::make_shared<Again>([&] { ++calls; }));
   while (queue.callOne()) {
   }
   EXPECT_EQ(calls, 2);
+}
+
+TEST(TimedQueue, DoesNotCallAgainWhatWasRemovedMeanwhile) {
+  TimedQueue queue;
+  int calls = 0;
+  const auto work = [&] {
+    ++calls;
+    queue.removeByID(7);
+  };
+  queue.addCallback(boost::make_shared<Again>(work), 7);
+  while (queue.callOne()) {
+  }
+  EXPECT_EQ(calls, 1);
 }
 
 }  // namespace
