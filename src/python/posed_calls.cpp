@@ -150,7 +150,7 @@ py::array boxesOf(SharedRobot& shared, const py::object& q, unsigned jobs) {
     forOne(shared, rows, write);
   else
     forMany(shared, rows, jobs, write);
-  return std::move(result);
+  return py::array(std::move(result));
 }
 
 py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, unsigned jobs) {
@@ -178,7 +178,7 @@ py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, un
   PairRow* out = result.mutable_data();
   for (const std::vector<PairRow>& of_row : found)
     out = std::copy(of_row.begin(), of_row.end(), out);
-  return std::move(result);
+  return py::array(std::move(result));
 }
 
 void registerPairRow() {

@@ -32,8 +32,10 @@ fs::path realPath(const fs::path& path) {
   std::error_code error;
   const fs::path real = fs::canonical(path, error);
   if (error) {
-    throw MeshError("cannot find " + path.string() + " (" + error.message() +
-                    "); correct the path or install the file");
+    const bool is_forbidden = error == std::errc::permission_denied;
+    throw MeshError("cannot find " + path.string() + " (" + error.message() + "); " +
+                    (is_forbidden ? "allow its folders to be entered"
+                                  : "correct the path or install the file"));
   }
   return real;
 }

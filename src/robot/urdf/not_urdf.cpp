@@ -92,6 +92,9 @@ std::string whyNoUrdf(const std::string& text) {
   const tinyxml2::XMLElement* element = document.RootElement();
   const std::string root = element ? element->Name() : "";
   if (root != "robot") return "its root element is <" + root + ">, not <robot>; give a URDF";
+  if (text.substr(0, text.size() - elements.size()).find("<!ENTITY") != text.npos)
+    return "its <!DOCTYPE> has entities, which urdfdom does not read; write their values, and "
+           "remove it";
   return "";
 }
 

@@ -82,6 +82,7 @@ int ConfinedFiles::openAndNote(const std::string& path) const {
   if (absolute.empty()) return -1;
   const FileVersion before = fileVersion(absolute);
   const int descriptor = open(absolute.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (descriptor < 0 && errno == EACCES) forbidden_ = absolute;
   const auto version = [&] {
     struct stat status {};
     return fstat(descriptor, &status) == 0 ? fileVersion(status) : FileVersion{};

@@ -29,6 +29,9 @@ class ConfinedFiles : public Assimp::IOSystem {
   /// Which file was refused because of its size, in words; "" if none was.
   const std::string& tooLarge() const { return too_large_; }
 
+  /// A file of the mesh that this user may not read; "" if there is none.
+  const std::string& forbidden() const { return forbidden_; }
+
   /// By absolute path, each as it was when it was first opened or looked for.
   const FileVersions& files() const { return files_; }
 
@@ -47,6 +50,7 @@ class ConfinedFiles : public Assimp::IOSystem {
   std::uint64_t max_bytes_;
   BytesHandler on_bytes_;
   std::string too_large_;
+  mutable std::string forbidden_;
   mutable FileVersions files_;              ///< mutable, as assimp wants Exists() to be const
   mutable int ticks_left_ = kMaxFileTicks;  ///< for all files together
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t>

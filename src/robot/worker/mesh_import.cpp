@@ -202,6 +202,8 @@ TriangleMesh read(const std::string& path, Assimp::Importer& importer, ConfinedF
   if (!scene || !scene->mRootNode) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (!files.forbidden().empty())
+      throw MeshError("this user may not read " + files.forbidden(), MeshFault::kUnreadable);
     const std::string& too_large = files.tooLarge();
     if (too_large.empty())
       throw MeshError("assimp cannot read it (" + reason + ")" + hintFor(importer, path));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Collada, of which assimp leaves out elements that it does not know.
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,6 +61,8 @@ class ColladaCheck {
       checkPosition(source);
     for (const auto& [source, end] : ends_)
       checkEnd(source, end);
+    for (const std::string& geometry : used_)
+      checkGeometry(geometry);
   }
 
  private:
@@ -83,6 +86,10 @@ class ColladaCheck {
     if (name == "accessor") noteAccessor(tags);
     if (name == "param") noteParam(tags);
     if (name == "source") source_ = tags.attribute("id").value_or("");
+    if (name == "geometry") geometry_ = tags.attribute("id").value_or("");
+    if (others_ == 0 && (name == "convex_mesh" || name == "brep")) without_mesh_[geometry_] = name;
+    if (others_ == 0 && isIn(" instance_geometry instance_controller instance_node ", name))
+      checkPlacement(tags);
     if (name == "vertices") has_positions_ = false;
     if (isIn(kPrimitives, name)) primitives_ = numberOf(tags, "count", 0);
     if (name == "input" && tags.attribute("semantic") == "POSITION") notePositions(tags);
@@ -92,6 +99,7 @@ class ColladaCheck {
     const std::string_view name = tags.name();
     if (name == "accessor" && !ends_.empty() && has_items_) ends_.back().second += params_;
     if (name == "source") source_.clear();
+    if (open_.size() < sheared_) sheared_ = 0;
     if (name == "vertices" && !has_positions_ && others_ == 0)
       throw MeshError("its <vertices> have no positions, before the end of " + tags.place());
     if (isOther(name)) --others_;
@@ -170,6 +178,8 @@ class ColladaCheck {
     if (count && static_cast<double>(words.countNumbers(place)) > *count && others_ == 0)
       throw MeshError("it has too many numbers in " + place);
     if (tags.name() == "rotate" && others_ == 0 && isInNode()) checkAxis(text, place);
+    if (tags.name() == "lookat" && others_ == 0 && isInNode() && sheared_ == 0 && isSheared(text))
+      sheared_ = open_.size() - 1;
     for (auto word = words.next(); !word.empty(); word = words.next()) {
       requireIndex(word, place);
       if (!(primitives_ > 0) && others_ == 0)
@@ -191,6 +201,40 @@ class ColladaCheck {
     if (numbers[3] != 0 && !(std::abs(length - 1) <= kMaxError))
       throw MeshError("the axis has not the length 1 in " + place +
                       ", by which assimp scales; write six digits or more");
+  }
+
+  /// Assimp takes the up axis of a <lookat> as it is, so it shears and scales unless the axis has
+  /// the length 1 and a right angle to the direction of view. Both points may be the same.
+  static bool isSheared(const std::string& text) {
+    constexpr double kMaxError = 1e-6;
+    Words words(text);
+    Eigen::Matrix3d columns;  // eye, point of interest, up
+    for (Eigen::Index i = 0; i < columns.size(); ++i)
+      columns(i) = std::strtod(std::string(words.next()).c_str(), nullptr);
+    const Eigen::Vector3d view = (columns.col(1) - columns.col(0)).normalized();
+    const Eigen::Vector3d up = columns.col(2);
+    const bool are_units = std::abs(up.norm() - 1) <= kMaxError && view.norm() > 0.5;
+    return !(are_units && std::abs(up.dot(view)) <= kMaxError);
+  }
+
+  /// Cameras and lights may be below a <lookat> of any kind.
+  void checkPlacement(const XmlTags& tags) {
+    const bool is_in_node = !open_.empty() && open_.back() == "node";
+    if (!is_in_node) return;
+    if (sheared_ > 0)
+      throw MeshError(
+          "assimp shears what is below a <lookat> whose up axis has not the length 1 "
+          "or no right angle to the view, in " +
+          tags.place() + "; write a <matrix>");
+    if (tags.name() == "instance_geometry")
+      used_.insert(withoutHash(tags.attribute("url").value_or("")));
+  }
+
+  void checkGeometry(const std::string& id) const {
+    const auto found = without_mesh_.find(id);
+    if (found != without_mesh_.end())
+      throw MeshError("assimp leaves out the <" + found->second + "> of its geometry " +
+                      inQuotes(id) + "; export a <mesh>");
   }
 
   void checkPosition(const std::string& source) const {
@@ -240,7 +284,11 @@ class ColladaCheck {
   std::map<std::string, std::vector<std::string>> params_of_;  ///< of accessors, by sources
   std::map<std::string, double> strides_;                      ///< of accessors, by sources
   std::set<std::string> positions_;                            ///< ids of sources
-  bool has_items_ = false;  ///< whether the last accessor has any
+  bool has_items_ = false;                           ///< whether the last accessor has any
+  std::string geometry_;                             ///< id of the last geometry
+  std::map<std::string, std::string> without_mesh_;  ///< by id of a geometry: what it has instead
+  std::set<std::string> used_;                       ///< ids of geometries that nodes place
+  std::size_t sheared_ = 0;  ///< number of open elements at a node with isSheared(); 0: in none
 };
 
 }  // namespace

@@ -18,6 +18,22 @@ using Check = void (*)(Lines&);
   throw MeshError("assimp does not check the indices of DirectX files; store it as STL");
 }
 
+[[noreturn]] void refuseOgre(Lines&) {
+  throw MeshError("assimp does not check the indices of Ogre's XML; store it as STL");
+}
+
+[[noreturn]] void refuse3mf(Lines&) {
+  throw MeshError("assimp does not check the numbers and references of 3MF files; store it as STL");
+}
+
+[[noreturn]] void refuseAmf(Lines&) {
+  throw MeshError("assimp leaves out volumes and turns of AMF files; store it as STL");
+}
+
+[[noreturn]] void refuseNff(Lines&) {
+  throw MeshError("assimp leaves out lines of NFF files; store it as STL");
+}
+
 [[noreturn]] void refuseArchive(Lines&) {
   throw MeshError("it is an archive; unpack it, and name the mesh in it");
 }
@@ -27,7 +43,8 @@ constexpr std::pair<const char*, Check> kExtensions[] = {
     {".dae", checkCollada}, {".zae", refuseArchive}, {".gltf", checkGltf}, {".glb", checkGltf},
     {".vrm", checkGltf},    {".ac", checkAc3d},      {".acc", checkAc3d},  {".ac3d", checkAc3d},
     {".ase", checkAse},     {".ask", checkAse},      {".dxf", checkDxf},   {".raw", checkRaw},
-    {".x", refuseX}};
+    {".x", refuseX},        {".3mf", refuse3mf},     {".amf", refuseAmf},  {".nff", refuseNff},
+    {".enff", refuseNff}};
 
 /// Texts, in small letters, with which files begin; only blanks may stand before them.
 constexpr std::pair<const char*, Check> kBeginnings[] = {
@@ -46,6 +63,9 @@ bool isPly(const std::string& beginning) {
 Check checkByContent(std::string beginning) {
   const std::string text = inSmallLetters(std::move(beginning));
   if (text.find("<collada") != text.npos) return checkCollada;
+  if (text.find("<mesh>") != text.npos || text.find("<submesh") != text.npos ||
+      text.find("<sharedgeometry") != text.npos)
+    return refuseOgre;
   if (isPly(text)) return checkPly;
   if (text.rfind("v ", 0) == 0 || text.find("\nv ") != text.npos) return checkObj;
   const std::size_t first = text.find_first_not_of(" \t\r\n");

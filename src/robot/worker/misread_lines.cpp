@@ -46,11 +46,14 @@ std::size_t countObjNumbers(std::string_view text, const std::string& place) {
 
 /// The first words of lines that OBJ has, and "fo", an old face. Assimp leaves out other lines.
 constexpr std::array kObjWords{
-    "v",        "vt",       "vn",   "vp",         "p",         "l",     "f",     "fo",     "g",
-    "s",        "mg",       "o",    "usemtl",     "mtllib",    "bevel", "lod",   "curv",   "curv2",
-    "c_interp", "d_interp", "surf", "shadow_obj", "trace_obj", "ctech", "stech", "cstype", "deg",
-    "bmat",     "step",     "parm", "trim",       "hole",      "scrv",  "sp",    "end",    "con",
-    "maplib",   "usemap",   "call", "csh",        "bsp",       "bzp",   "cdc",   "cdp",    "res"};
+    "v",      "vt",    "vn",       "vp",       "p",          "l",         "f",     "fo",
+    "g",      "s",     "mg",       "o",        "usemtl",     "mtllib",    "bevel", "lod",
+    "curv",   "curv2", "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",
+    "cstype", "deg",   "bmat",     "step",     "parm",       "trim",      "hole",  "scrv",
+    "sp",     "end",   "con",      "maplib",   "usemap",     "csh",       "cdc",   "res"};
+
+/// Those that make faces without "f", which assimp leaves out: surfaces and other files.
+constexpr std::array kObjSurfaces{"surf", "bsp", "bzp", "cdp", "call"};
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -64,6 +67,9 @@ void checkObjWord(std::string_view word, const std::string& place) {
                       ", because it begins with a byte order mark; remove that");
   }
   if (word.empty() || word[0] == '#' || word == "\x1A" || startsWith(word, "//")) return;
+  if (std::find(kObjSurfaces.begin(), kObjSurfaces.end(), word) != kObjSurfaces.end())
+    throw MeshError("assimp leaves out the faces of " + inQuotes(word) + ", in " + place +
+                    "; export triangles");
   if (std::find(kObjWords.begin(), kObjWords.end(), word) == kObjWords.end())
     throw MeshError(inQuotes(word) + " is no word of OBJ, in " + place);
 }
@@ -89,6 +95,21 @@ std::string_view checkStlVertex(Words& words, const std::string& place) {
   return next;
 }
 
+/// Words of a text STL that assimp knows in small letters only.
+bool hasCapitals(std::string_view word) {
+  if (word.size() != 5 && word.size() != 6) return false;
+  const std::string small = inSmallLetters(std::string(word));
+  return small != word && (small == "facet" || small == "vertex");
+}
+
+/// Entities with faces that assimp leaves out, in small letters.
+constexpr std::array kDxfSurfaces{"solid", "trace", "mesh", "region", "3dsolid", "body"};
+
+bool isDxfSurface(std::string_view entity) {
+  return entity.find("surface") != entity.npos || startsWith(entity, "acad_proxy") ||
+         std::find(kDxfSurfaces.begin(), kDxfSurfaces.end(), entity) != kDxfSurfaces.end();
+}
+
 }  // namespace
 
 /// Checks by words, which may stand in any line. Assimp reads another part only if the line after
@@ -108,6 +129,9 @@ void checkStl(Lines& lines) {
     is_over = is_lost;
     if (is_part) words.next();  // its name
     while (!word.empty() && !is_over) {
+      if (!is_part && hasCapitals(word))
+        throw MeshError("assimp leaves out " + inQuotes(word) + ", in " + lines.place() +
+                        "; write it in small letters");
       is_over = startsWith(word, "endsolid");
       word = word == "vertex" ? checkStlVertex(words, lines.place()) : words.next();
     }
@@ -199,13 +223,25 @@ void checkAse(Lines& lines) {
   }
 }
 
-/// Each value stands in the line after its group code; those of 10 to 59 are numbers.
+/// Each value stands in the line after its group code; those of 10 to 59 are numbers. That of 0 is
+/// the kind of an entity, of which assimp reads few; INSERT has its columns and rows in 70 and 71.
 void checkDxf(Lines& lines) {
   lines.keepBlankLines();
+  std::string entity;
   while (const auto line = lines.next()) {
-    const std::size_t code = countOf(Words(*line).next());
+    const std::string_view text = Words(*line).next();
+    const std::size_t code = countOf(text);
     const auto value = lines.next();
-    if (value && 10 <= code && code < 60) requireNumber(Words(*value).next(), lines.place());
+    if (!value || text.empty()) continue;
+    const std::string_view word = Words(*value).next();
+    if (10 <= code && code < 60) requireNumber(word, lines.place());
+    if (code == 0) entity = inSmallLetters(std::string(word));
+    if (code == 0 && isDxfSurface(entity))
+      throw MeshError("assimp leaves out the " + std::string(word) + " in " + lines.place() +
+                      "; export faces as 3DFACE");
+    if (entity == "insert" && (code == 70 || code == 71) && countOf(word) > 1)
+      throw MeshError("assimp leaves out all but the first of an INSERT of rows and columns, in " +
+                      lines.place() + "; export faces as 3DFACE");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
+#include "testing/other_user.h"
 #include "testing/refusal.h"
 #include "testing/temporary_folder.h"
 
@@ -43,6 +44,15 @@ TEST_F(MeshUriRefusals, DotsThatLeaveThePackage) {
   expectRefused("package://arm/%2e%2e/key.stl", "outside package");
   expectRefused("package://arm/..%2fkey.stl", "outside package");
   expectRefused("package://arm/../../../../../../../../etc/hostname", "outside package");
+}
+
+TEST_F(MeshUriRefusals, AFolderThatMayNotBeEntered) {
+  fs::permissions(folder_ / "arm/meshes", fs::perms::none);
+  {
+    const OtherUser nobody;
+    expectRefused("package://arm/meshes/link.stl", "; allow its folders to be entered");
+  }
+  fs::permissions(folder_ / "arm/meshes", fs::perms::owner_all);
 }
 
 TEST_F(MeshUriRefusals, ANeighbourWhoseNameBeginsAlike) {

@@ -57,6 +57,11 @@ TEST(RobotRefusals, AnotherFormat) {
   expectRefused("<?xml version='1.0'?><html/>", "not a usable URDF");
 }
 
+TEST(RobotRefusals, EntitiesOfADoctype) {
+  expectRefused("<!DOCTYPE robot [<!ENTITY s \"1 2 3\">]><robot name='r'><link name='a'/></robot>",
+                "its <!DOCTYPE> has entities, which urdfdom does not read");
+}
+
 TEST(RobotRefusals, NoLinks) {
   expectRefused(robotOfText(""), "not a usable URDF");
 }

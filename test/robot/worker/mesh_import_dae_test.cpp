@@ -293,6 +293,36 @@ TEST(ImportDae, AnAxisThatIsNotOfLengthOneIsRefused) {
         4u);
 }
 
+TEST(ImportDae, AnUpAxisThatShearsIsRefused) {
+  const auto lookat = [](const std::string& numbers, const std::string& content) {
+    return dae(kMetres, node("<lookat>" + numbers + "</lookat>" + content));
+  };
+  for (const char* const numbers :
+       {"0 0 0 1 1 0 0 1 0", "0 0 0 1 0 0 0 0 2", "0 0 0 0 0 0 0 1 0"}) {
+    for (const std::string& content : {kInstance, node(node(kInstance))})
+      expectRefusedDae(lookat(numbers, content), "assimp shears what is below a <lookat>");
+    const std::string camera = node("<lookat>" + std::string(numbers) + "</lookat>");
+    EXPECT_EQ(importDae(dae(kMetres, node(camera + kInstance) + camera + node(kInstance)))
+                  .triangles.size(),
+              8u);
+  }
+  EXPECT_EQ(importDae(lookat("1 0 0 1 0 -1 0 1 0", kInstance)).triangles.size(), 4u);
+}
+
+TEST(ImportDae, AGeometryThatIsNoMeshIsRefusedWhereItIsPlaced) {
+  for (const std::string kind : {"convex_mesh", "brep"}) {
+    const std::string other =
+        "</geometry><geometry id='h'><" + kind + " convex_hull_of='#g'/></geometry>";
+    const auto with = [&](const std::string& instance) {
+      std::string text = dae(kMetres, node(kInstance) + node(instance));
+      return text.replace(text.find("</geometry>"), 11, other);
+    };
+    EXPECT_EQ(importDae(with("")).triangles.size(), 4u);
+    expectRefusedDae(with("<instance_geometry url='#h'/>"),
+                     "leaves out the <" + kind + "> of its geometry \"h\"");
+  }
+}
+
 /// Assimp leaves it out.
 TEST(ImportDae, AnElementThatColladaDoesNotHaveIsRefused) {
   const std::string extra = "<extra><technique profile='X'><nodf/><mexh/></technique></extra>";

@@ -14,6 +14,7 @@
 
 #include "robot/worker/mesh_import.h"
 #include "testing/mesh_texts.h"
+#include "testing/other_user.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -446,6 +447,53 @@ TEST_F(ImportRefusals, LinesOfObjThatAreLeftOut) {
   expectLost("\tf 1 3 2", "leaves out line 5, because it begins with a blank");
   for (const char* const line : {"# C:\\meshes\\", "g a\\", "usemtl a\\"})
     expectLost(line, "leaves out line 6, because the one before it ends in a backslash");
+  for (const std::string word : {"surf", "bsp", "bzp", "cdp", "call"})
+    expectLost(word + " 0 1 0 1 1 2 3", "the faces of \"" + word + "\", in line 5");
+}
+
+TEST_F(ImportRefusals, AFacetInCapitals) {
+  std::string text = asciiStl(tetrahedronCorners());
+  const std::string facet =
+      text.substr(text.find("facet"), text.find("endfacet") - text.find("facet"));
+  for (const std::string word : {"facet", "vertex"}) {
+    std::string changed = facet;
+    for (std::size_t at = changed.find(word); at != changed.npos; at = changed.find(word, at + 1))
+      changed[at] = static_cast<char>(std::toupper(changed[at]));
+    std::string mixed = text;
+    mixed.replace(mixed.rfind("facet normal"), 0, changed + "endfacet\n");
+    expectRefused("a.stl", mixed, "; write it in small letters");
+  }
+  EXPECT_EQ(
+      import("a.stl", "solid of a Vertex\n" + text.substr(text.find('\n') + 1)).triangles.size(),
+      4u);
+}
+
+/// A face of four corners, then the entities.
+std::string dxfWith(const std::string& entities) {
+  std::string text = dxf("1");
+  return text.insert(text.find("0\nENDSEC"), entities);
+}
+
+TEST_F(ImportRefusals, EntitiesOfDxfThatAreLeftOut) {
+  EXPECT_FALSE(import("a.dxf", dxfWith("0\nPOINT\n8\n0\n10\n9\n20\n9\n30\n9\n")).triangles.empty());
+  for (const std::string entity : {"SOLID", "TRACE", "MESH", "REGION", "3DSOLID", "BODY", "SURFACE",
+                                   "EXTRUDEDSURFACE", "ACAD_PROXY_ENTITY"})
+    expectRefused("a.dxf", dxfWith("0\n" + entity + "\n8\n0\n10\n9\n20\n9\n30\n9\n"),
+                  "leaves out the " + entity + " in line");
+  for (const std::string code : {"70", "71"})
+    expectRefused("a.dxf", dxfWith("0\nINSERT\n2\nb\n" + code + "\n3\n"),
+                  "an INSERT of rows and columns");
+}
+
+TEST_F(ImportRefusals, FormatsThatAssimpMisreads) {
+  expectRefused("a.3mf", "PK\3\4", "numbers and references of 3MF");
+  expectRefused("a.AMF", "<amf/>", "volumes and turns of AMF");
+  for (const char* const name : {"a.nff", "a.enff"})
+    expectRefused(name, "p 3\n0 0 0\n1 0 0\n0 1 0\n", "lines of NFF");
+  for (const char* const name : {"a.mesh.xml", "a.unknown"})
+    for (const std::string content :
+         {"<mesh><submeshes/></mesh>", "<?xml version='1.0'?>\n<mesh>\n"})
+      expectRefused(name, content, "indices of Ogre's XML");
 }
 
 TEST_F(ImportRefusals, AWrongIndexThatIsNotInTheMesh) {
@@ -575,6 +623,22 @@ std::string threeVertices() {
 TEST_F(ImportRefusals, ABufferBesideTheMeshIsRead) {
   folder_.write("meshes/data.bin", threeVertices());
   EXPECT_EQ(import("a.gltf", gltf("data.bin")).vertices.size(), 3u);
+}
+
+TEST_F(ImportRefusals, ABufferThatMayNotBeRead) {
+  const std::string mesh = folder_.write("meshes/a.gltf", gltf("a.bin"));
+  const std::string buffer = folder_.write("meshes/a.bin", std::string(36, '\0'));
+  fs::permissions(buffer, fs::perms::none);
+  for (const std::string& folder : {folder_.path().string(), folder_ / "meshes"})
+    fs::permissions(folder, fs::perms(0755));
+  const OtherUser nobody;
+  try {
+    importMesh({mesh, folder_ / "meshes"});
+    ADD_FAILURE() << "it was accepted";
+  } catch (const MeshError& error) {
+    EXPECT_EQ(error.what(), "this user may not read " + buffer);
+    EXPECT_EQ(error.fault(), MeshFault::kUnreadable);
+  }
 }
 
 TEST_F(ImportRefusals, AnExtensionThatMovesVertices) {
