@@ -99,6 +99,8 @@ class Reach:
                 table.shape == (len(grid),) and np.isfinite(table).all() for table in tables):
             raise Refused('a table is missing or has another size')
         largest, smallest = (np.array(entry[end], float) for end in ('max', 'min'))
+        if not largest.shape == smallest.shape == (3,):
+            raise Refused('a corner of the box has not three numbers')
         claims = [(np.concatenate((np.eye(3), -np.eye(3))), np.concatenate((largest, -smallest)))]
         claims += [(grid, table) for table in tables]
         tables = [Table(table, cells) for table in tables]

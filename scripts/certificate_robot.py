@@ -286,8 +286,12 @@ class Robot:
         return [name for name, link in self.links.items() if any(e.tag in kinds for e in link)]
 
     def root(self, link):
+        passed = {link}
         while link in self.above:
             link = self.above[link].find('parent').get('link')
+            if link in passed:
+                raise Unusable('the joints above link %s are a loop' % link)
+            passed.add(link)
         return link
 
     def way(self, first, second):

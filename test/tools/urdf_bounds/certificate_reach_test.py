@@ -12,8 +12,8 @@ import random
 from unittest import mock
 
 from certificate_testing import (ARM, BASE_RANGES, DAMAGES, DEMO, INCOMPLETE, LONG_AXES, MOBILE,
-                                 NOT_COUNTED, PUBLIC, REFUSED, box, check, lines_of, main, write_lines,
-                                 write_wrong)
+                                 NOT_COUNTED, PUBLIC, REFUSED, UNUSABLE, box, check, lines_of, main,
+                                 write_lines, write_wrong)
 from urdf_bounds_pairs_test import joint, link
 from urdf_bounds_testing import UrdfBoundsTest, run
 
@@ -119,6 +119,31 @@ class ReachTest(UrdfBoundsTest):
                 code, text = check(file, urdf, '--seed', str(seed))
                 self.assertEqual((code, 'before joint 1' in text), (REFUSED, True), text)
 
+    def test_a_loop_of_joints(self):
+        """Beside the tree; urdf_bounds refuses it."""
+        file, _ = self.certificate(self.urdf)
+        urdf = self.write('loop.urdf', '<robot name="arm">%s</robot>' % ''.join([
+            link('base'), link('a'), link('b'), joint('first', 'revolute', 'a', 'b'),
+            joint('second', 'revolute', 'b', 'a')]))
+        code, text = check(file, urdf, '--base', 'fixed')
+        self.assertEqual((code, 'are a loop' in text), (UNUSABLE, True), text)
+
+    def test_a_box_of_which_two_readers_see_another(self):
+        """A file with a member twice, and one whose corners have six numbers in all."""
+        file, _ = self.certificate(self.urdf)
+        with open(file, encoding='utf-8') as lines:
+            text = lines.read()
+        for wrong in '"max": [0, 0, 0], "max": [', '"min": [0, 0, 0], "max": [':
+            bad = self.write('bad.cert', text.replace('"max": [', wrong, 1))
+            self.assertEqual(check(bad, self.urdf)[0], REFUSED, wrong)
+        lines = lines_of(file)
+        corners = lines[1]
+        corners['min'] = [-x for x in corners['max'][2:]] + corners['min']
+        corners['max'] = corners['max'][:2]
+        write_lines(file, lines)
+        code, text = check(file, self.urdf, '--all')
+        self.assertEqual((code, 'three numbers' in text), (REFUSED, True), text)
+
     def test_an_element_with_two_shapes_or_none(self):
         """urdf_bounds takes the first shape, and this program none of both."""
         def urdf(shapes):
@@ -186,6 +211,7 @@ class ReachTest(UrdfBoundsTest):
             'smaller box below': lambda: link['min'].__setitem__(axis, link['min'][axis] + 1e-3),
             'no box': lambda: link.pop('min'),
             'flat box': lambda: link['max'].pop(),
+            'other corners': lambda: link['min'].insert(0, link['max'].pop()),
             'step': lambda: link.update(step=0.9 * link['step']),
             'negative step': lambda: link.update(step=-link['step']),
             'cells': lambda: link.update(cells=2 * link['cells']),
