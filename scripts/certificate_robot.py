@@ -176,6 +176,8 @@ class Robot:
         for joint in list(self.joints.values()):
             if joint.get('type') in ('floating', 'planar'):
                 self.split(joint)
+        for link in self.above:
+            self.root(link)  # which refuses loops, in which way() would not end
 
     def split(self, whole):
         """A floating or planar joint is a chain of joints with one value each, its parts."""

@@ -158,14 +158,20 @@ MeshInside::MeshInside(const TriangleTree& tree)
   for (std::size_t i = 1; i < edges.size(); ++i) {
     if (!(edges[i - 1] < edges[i])) parts.join(edges[i - 1].triangle, edges[i].triangle);
   }
-  const auto is_odd = [&](std::uint32_t triangle) { return copies[triangle] % 2 != 0; };
-  std::vector<bool> has_odd(triangles.size(), false), is_odd_open = has_odd, is_open = has_odd;
+  std::vector<std::uint32_t> bits(triangles.size(), 0);  // by part, of all counts
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    bits[parts.find(i)] |= copies[i];
+  // Whether the count is odd, after all counts of the part were halved as often as possible.
+  const auto is_odd = [&](std::uint32_t triangle) {
+    const std::uint32_t all = bits[parts.find(triangle)];
+    return (copies[triangle] & all & -all) != 0;
+  };
+  std::vector<bool> is_odd_open(triangles.size(), false), is_open = is_odd_open;
   is_oriented_.assign(triangles.size(), true);
   for (auto edge = edges.begin(); edge != edges.end();) {
     const auto end = std::upper_bound(edge, edges.end(), *edge);
     const auto odd = std::count_if(edge, end, [&](const Edge& e) { return is_odd(e.triangle); });
     const std::uint32_t part = parts.find(edge->triangle);
-    has_odd[part] = has_odd[part] || odd > 0;
     is_odd_open[part] = is_odd_open[part] || odd % 2 != 0;
     is_open[part] = is_open[part] || (end - edge) % 2 != 0;
     int way = 0;
@@ -177,8 +183,7 @@ MeshInside::MeshInside(const TriangleTree& tree)
   }
   for (std::uint32_t i = 0; i < parts_.size(); ++i) {
     const std::uint32_t part = parts.find(i);
-    const bool is_by_odd = has_odd[part] && !is_odd_open[part];
-    if (copies[i] == 0 || !(is_by_odd ? is_odd(i) : !is_open[part])) continue;
+    if (copies[i] == 0 || !(is_odd_open[part] ? !is_open[part] : is_odd(i))) continue;
     parts_[i] = part;
     has_inside_ = true;
   }

@@ -11,9 +11,9 @@
 // inside.
 //
 // A triangle may occur twice: as the wall between two boxes, which no ray needs to count, or
-// because an exporter wrote each face once per side. So triangles that occur an even number of
-// times are left out. If the others of a part do not form a closed surface, each triangle counts
-// once instead.
+// because an exporter wrote each face once per side. So the counts of a part are halved while all
+// are even, and triangles whose count is even then are left out. If the others of the part do not
+// form a closed surface, each triangle counts once instead.
 #pragma once
 
 #include <optional>

@@ -34,7 +34,7 @@ fs::path realPath(const fs::path& path) {
   if (error) {
     const bool is_forbidden = error == std::errc::permission_denied;
     throw MeshError("cannot find " + path.string() + " (" + error.message() + "); " +
-                    (is_forbidden ? "allow its folders to be entered"
+                    (is_forbidden ? "allow this user to enter its folders"
                                   : "correct the path or install the file"));
   }
   return real;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <assimp/IOStream.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -82,7 +83,8 @@ int ConfinedFiles::openAndNote(const std::string& path) const {
   if (absolute.empty()) return -1;
   const FileVersion before = fileVersion(absolute);
   const int descriptor = open(absolute.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  if (descriptor < 0 && errno == EACCES) forbidden_ = absolute;
+  if (descriptor < 0 && errno == EACCES)
+    refusal_.emplace("this user may not read " + absolute, MeshFault::kUnreadable);
   const auto version = [&] {
     struct stat status {};
     return fstat(descriptor, &status) == 0 ? fileVersion(status) : FileVersion{};
@@ -116,8 +118,10 @@ Assimp::IOStream* ConfinedFiles::Open(const char* path, const char* mode) {
 bool ConfinedFiles::mayBeRead(const char* path, const struct stat& status) {
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > max_bytes_) {
-    too_large_ = std::filesystem::path(path).filename().string() + " has " + std::to_string(size) +
-                 " bytes, more than the " + std::to_string(max_bytes_) + " that are allowed";
+    refusal_.emplace(std::filesystem::path(path).filename().string() + " has " +
+                         std::to_string(size) + " bytes, more than the " +
+                         std::to_string(max_bytes_) + " that are allowed",
+                     MeshFault::kTooLarge);
     return false;
   }
   bytes_[{status.st_dev, status.st_ino}] = size;

@@ -8,6 +8,7 @@
 #include <assimp/IOSystem.hpp>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -26,11 +27,8 @@ class ConfinedFiles : public Assimp::IOSystem {
   /// all files opened so far and this one.
   ConfinedFiles(const MeshFile& mesh, std::uint64_t max_bytes, BytesHandler on_bytes);
 
-  /// Which file was refused because of its size, in words; "" if none was.
-  const std::string& tooLarge() const { return too_large_; }
-
-  /// A file of the mesh that this user may not read; "" if there is none.
-  const std::string& forbidden() const { return forbidden_; }
+  /// Why a file was not opened: it is too large, or this user may not read it; else nothing.
+  const std::optional<MeshError>& refusal() const { return refusal_; }
 
   /// By absolute path, each as it was when it was first opened or looked for.
   const FileVersions& files() const { return files_; }
@@ -49,9 +47,9 @@ class ConfinedFiles : public Assimp::IOSystem {
   std::string folder_;  ///< of the mesh, with a slash at its end; assimp's names begin with it
   std::uint64_t max_bytes_;
   BytesHandler on_bytes_;
-  std::string too_large_;
-  mutable std::string forbidden_;
-  mutable FileVersions files_;              ///< mutable, as assimp wants Exists() to be const
+  // Mutable, as assimp wants Exists() to be const.
+  mutable std::optional<MeshError> refusal_;
+  mutable FileVersions files_;
   mutable int ticks_left_ = kMaxFileTicks;  ///< for all files together
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t>
       bytes_;  ///< sizes by device and inode

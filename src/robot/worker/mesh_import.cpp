@@ -202,12 +202,10 @@ TriangleMesh read(const std::string& path, Assimp::Importer& importer, ConfinedF
   if (!scene || !scene->mRootNode) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (!files.forbidden().empty())
-      throw MeshError("this user may not read " + files.forbidden(), MeshFault::kUnreadable);
-    const std::string& too_large = files.tooLarge();
-    if (too_large.empty())
-      throw MeshError("assimp cannot read it (" + reason + ")" + hintFor(importer, path));
-    throw MeshError("assimp cannot read it (" + reason + "); " + too_large, MeshFault::kTooLarge);
+    const std::string what = "assimp cannot read it (" + reason + ")";
+    const std::optional<MeshError>& refusal = files.refusal();
+    if (!refusal) throw MeshError(what + hintFor(importer, path));
+    throw MeshError(what + "; " + refusal->what(), refusal->fault());
   }
   checkIndices(*scene);
   if (!log->firstLoss().empty())

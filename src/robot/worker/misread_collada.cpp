@@ -190,13 +190,20 @@ class ColladaCheck {
   /// Whether the open element is a child of a node.
   bool isInNode() const { return open_.size() > 1 && open_[open_.size() - 2] == "node"; }
 
+  /// The first numbers of a text, 0 for those that it does not have.
+  template <std::size_t kCount>
+  static std::array<double, kCount> numbersIn(const std::string& text) {
+    Words words(text);
+    std::array<double, kCount> numbers{};
+    for (double& number : numbers)
+      number = std::strtod(std::string(words.next()).c_str(), nullptr);
+    return numbers;
+  }
+
   /// Assimp scales by the length of an axis.
   static void checkAxis(const std::string& text, const std::string& place) {
     constexpr double kMaxError = 1e-6;
-    Words words(text);
-    std::array<double, 4> numbers{};
-    for (double& number : numbers)
-      number = std::strtod(std::string(words.next()).c_str(), nullptr);
+    const std::array<double, 4> numbers = numbersIn<4>(text);
     const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
     if (numbers[3] != 0 && !(std::abs(length - 1) <= kMaxError))
       throw MeshError("the axis has not the length 1 in " + place +
@@ -204,23 +211,21 @@ class ColladaCheck {
   }
 
   /// Assimp takes the up axis of a <lookat> as it is, so it shears and scales unless the axis has
-  /// the length 1 and a right angle to the direction of view. Both points may be the same.
+  /// the length 1 and a right angle to the direction of view. Without a direction of view, because
+  /// the eye is at the point of interest, it makes the mesh flat.
   static bool isSheared(const std::string& text) {
     constexpr double kMaxError = 1e-6;
-    Words words(text);
-    Eigen::Matrix3d columns;  // eye, point of interest, up
-    for (Eigen::Index i = 0; i < columns.size(); ++i)
-      columns(i) = std::strtod(std::string(words.next()).c_str(), nullptr);
-    const Eigen::Vector3d view = (columns.col(1) - columns.col(0)).normalized();
-    const Eigen::Vector3d up = columns.col(2);
-    const bool are_units = std::abs(up.norm() - 1) <= kMaxError && view.norm() > 0.5;
-    return !(are_units && std::abs(up.dot(view)) <= kMaxError);
+    const std::array<double, 9> numbers = numbersIn<9>(text);
+    const Eigen::Map<const Eigen::Vector3d> eye(&numbers[0]), interest(&numbers[3]),
+        up(&numbers[6]);
+    const Eigen::Vector3d view = interest - eye;
+    return !(view.norm() > 0 && std::abs(up.norm() - 1) <= kMaxError &&
+             std::abs(up.dot(view.normalized())) <= kMaxError);
   }
 
   /// Cameras and lights may be below a <lookat> of any kind.
   void checkPlacement(const XmlTags& tags) {
-    const bool is_in_node = !open_.empty() && open_.back() == "node";
-    if (!is_in_node) return;
+    if (open_.empty() || open_.back() != "node") return;
     if (sheared_ > 0)
       throw MeshError(
           "assimp shears what is below a <lookat> whose up axis has not the length 1 "

@@ -44,7 +44,8 @@ std::size_t countObjNumbers(std::string_view text, const std::string& place) {
   return count;
 }
 
-/// The first words of lines that OBJ has, and "fo", an old face. Assimp leaves out other lines.
+/// The first words of lines of OBJ, without kObjSurfaces, and "fo", an old face. Assimp leaves out
+/// other lines.
 constexpr std::array kObjWords{
     "v",      "vt",    "vn",       "vp",       "p",          "l",         "f",     "fo",
     "g",      "s",     "mg",       "o",        "usemtl",     "mtllib",    "bevel", "lod",
@@ -52,7 +53,7 @@ constexpr std::array kObjWords{
     "cstype", "deg",   "bmat",     "step",     "parm",       "trim",      "hole",  "scrv",
     "sp",     "end",   "con",      "maplib",   "usemap",     "csh",       "cdc",   "res"};
 
-/// Those that make faces without "f", which assimp leaves out: surfaces and other files.
+/// The first words of lines that add faces without "f": surfaces and other files.
 constexpr std::array kObjSurfaces{"surf", "bsp", "bzp", "cdp", "call"};
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -95,19 +96,30 @@ std::string_view checkStlVertex(Words& words, const std::string& place) {
   return next;
 }
 
-/// Words of a text STL that assimp knows in small letters only.
-bool hasCapitals(std::string_view word) {
+/// Whether assimp leaves out this word of a text STL because of its capital letters.
+bool isLostByCapitals(std::string_view word) {
   if (word.size() != 5 && word.size() != 6) return false;
   const std::string small = inSmallLetters(std::string(word));
   return small != word && (small == "facet" || small == "vertex");
 }
 
-/// Entities with faces that assimp leaves out, in small letters.
-constexpr std::array kDxfSurfaces{"solid", "trace", "mesh", "region", "3dsolid", "body"};
+/// Entities with faces that assimp leaves out.
+constexpr std::array kDxfSurfaces{"SOLID", "TRACE", "MESH", "REGION", "3DSOLID", "BODY"};
 
 bool isDxfSurface(std::string_view entity) {
-  return entity.find("surface") != entity.npos || startsWith(entity, "acad_proxy") ||
+  return entity.find("SURFACE") != entity.npos || startsWith(entity, "ACAD_PROXY") ||
          std::find(kDxfSurfaces.begin(), kDxfSurfaces.end(), entity) != kDxfSurfaces.end();
+}
+
+/// Refuses what assimp leaves out: an entity or a section whose name is not in capitals, and
+/// entities with faces that it does not know.
+void checkDxfName(std::string_view name, bool is_entity, const std::string& place) {
+  if (std::any_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
+    throw MeshError("assimp leaves out " + inQuotes(name) + ", in " + place +
+                    "; write it in capitals");
+  if (is_entity && isDxfSurface(name))
+    throw MeshError("assimp leaves out the " + std::string(name) + " in " + place +
+                    "; export faces as 3DFACE");
 }
 
 }  // namespace
@@ -129,7 +141,7 @@ void checkStl(Lines& lines) {
     is_over = is_lost;
     if (is_part) words.next();  // its name
     while (!word.empty() && !is_over) {
-      if (!is_part && hasCapitals(word))
+      if (!is_part && isLostByCapitals(word))
         throw MeshError("assimp leaves out " + inQuotes(word) + ", in " + lines.place() +
                         "; write it in small letters");
       is_over = startsWith(word, "endsolid");
@@ -223,23 +235,26 @@ void checkAse(Lines& lines) {
   }
 }
 
-/// Each value stands in the line after its group code; those of 10 to 59 are numbers. That of 0 is
-/// the kind of an entity, of which assimp reads few; INSERT has its columns and rows in 70 and 71.
+/// Each value stands in the line after its group code. Those of 10 to 59 are numbers. 0 begins an
+/// entity or a section; the name of a section follows with 2. An INSERT has its columns and rows
+/// in 70 and 71.
 void checkDxf(Lines& lines) {
   lines.keepBlankLines();
   std::string entity;
   while (const auto line = lines.next()) {
     const std::string_view text = Words(*line).next();
-    const std::size_t code = countOf(text);
+    const std::optional<std::size_t> code =
+        text.empty() ? std::nullopt : std::make_optional(countOf(text));
     const auto value = lines.next();
-    if (!value || text.empty()) continue;
+    if (!value || !code) continue;
     const std::string_view word = Words(*value).next();
-    if (10 <= code && code < 60) requireNumber(word, lines.place());
-    if (code == 0) entity = inSmallLetters(std::string(word));
-    if (code == 0 && isDxfSurface(entity))
-      throw MeshError("assimp leaves out the " + std::string(word) + " in " + lines.place() +
-                      "; export faces as 3DFACE");
-    if (entity == "insert" && (code == 70 || code == 71) && countOf(word) > 1)
+    if (10 <= *code && *code < 60) requireNumber(word, lines.place());
+    const bool is_section = entity == "SECTION" && *code == 2;
+    if (*code == 0 || is_section) {
+      checkDxfName(word, !is_section, lines.place());
+      entity = is_section ? "" : word;
+    }
+    if (entity == "INSERT" && (*code == 70 || *code == 71) && countOf(word) > 1)
       throw MeshError("assimp leaves out all but the first of an INSERT of rows and columns, in " +
                       lines.place() + "; export faces as 3DFACE");
   }

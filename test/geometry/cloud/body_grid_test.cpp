@@ -194,7 +194,7 @@ TEST(BodyGrid, AClosedMeshWhoseFacesAreDoubledHasAnInside) {
   EXPECT_FALSE(BodyGrid(BodySurface(bodyOf(open).body), {0.01, 0, kMaxBytes}).isBody({0.2, 0, 0}));
 }
 
-TEST(BodyGrid, BoxesThatShareAWallAreBothFilled) {
+TriangleMesh boxesWithAWall() {
   TriangleMesh mesh = boxMesh({0.2, 0.2, 0.2});
   const TriangleMesh other = mesh;
   for (const Eigen::Vector3f& vertex : other.vertices)
@@ -204,10 +204,19 @@ TEST(BodyGrid, BoxesThatShareAWallAreBothFilled) {
   for (std::size_t i = 0; i < 8; ++i) {  // the vertices of the wall have the same coordinates
     if (mesh.vertices[i + 8].x() < 0.15f) mesh.vertices[i + 8].x() = 0.1f;
   }
-  const BodyGrid grid(BodySurface(bodyOf(mesh).body), {0.005, 0, kMaxBytes});
-  EXPECT_TRUE(grid.isBody({0.01, 0.02, 0.03}));
-  EXPECT_TRUE(grid.isBody({0.21, 0.02, 0.03}));
-  EXPECT_FALSE(grid.isBody({0.32, 0.02, 0.03}));
+  return mesh;
+}
+
+/// Also if each triangle is there twice or four times as often.
+TEST(BodyGrid, BoxesThatShareAWallAreBothFilled) {
+  TriangleMesh mesh = boxesWithAWall();
+  for (int doublings = 0; doublings < 3; ++doublings) {
+    const BodyGrid grid(BodySurface(bodyOf(mesh).body), {0.005, 0, kMaxBytes});
+    EXPECT_TRUE(grid.isBody({0.01, 0.02, 0.03})) << doublings;
+    EXPECT_TRUE(grid.isBody({0.21, 0.02, 0.03})) << doublings;
+    EXPECT_FALSE(grid.isBody({0.32, 0.02, 0.03})) << doublings;
+    mesh = doubled(mesh, mesh.triangles.size());
+  }
 }
 
 TEST(BodyGrid, WhatBoxesHaveInCommonThatShareAnEdgeIsFilled) {

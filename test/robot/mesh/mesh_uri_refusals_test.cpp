@@ -50,7 +50,7 @@ TEST_F(MeshUriRefusals, AFolderThatMayNotBeEntered) {
   fs::permissions(folder_ / "arm/meshes", fs::perms::none);
   {
     const OtherUser nobody;
-    expectRefused("package://arm/meshes/link.stl", "; allow its folders to be entered");
+    expectRefused("package://arm/meshes/link.stl", "; allow this user to enter its folders");
   }
   fs::permissions(folder_ / "arm/meshes", fs::perms::owner_all);
 }

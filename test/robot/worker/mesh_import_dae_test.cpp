@@ -293,6 +293,33 @@ TEST(ImportDae, AnAxisThatIsNotOfLengthOneIsRefused) {
         4u);
 }
 
+/// As in rviz.
+TEST(ImportDae, ASkinDoesNotMoveVertices) {
+  const std::string skin =
+      "<library_controllers><controller id='c'><skin source='#g'><bind_shape_matrix>2 0 0 0 0 2 0 "
+      "0 "
+      "0 0 2 0 0 0 0 1</bind_shape_matrix><source id='j'><Name_array id='ja' count='1'>bone"
+      "</Name_array><technique_common><accessor source='#ja' count='1' stride='1'><param "
+      "name='JOINT' type='Name'/></accessor></technique_common></source><source "
+      "id='b'><float_array "
+      "id='ba' count='16'>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</float_array><technique_common><accessor "
+      "source='#ba' count='1' stride='16'><param name='TRANSFORM' type='float4x4'/></accessor>"
+      "</technique_common></source><source id='w'><float_array id='wa' count='1'>1</float_array>"
+      "<technique_common><accessor source='#wa' count='1' stride='1'><param name='WEIGHT' "
+      "type='float'/></accessor></technique_common></source><joints><input semantic='JOINT' "
+      "source='#j'/><input semantic='INV_BIND_MATRIX' source='#b'/></joints><vertex_weights "
+      "count='5'><input semantic='JOINT' source='#j' offset='0'/><input semantic='WEIGHT' "
+      "source='#w' offset='1'/><vcount>1 1 1 1 1</vcount><v>0 0 0 0 0 0 0 0 0 0</v>"
+      "</vertex_weights></skin></controller></library_controllers>";
+  std::string text = dae(kMetres,
+                         "<node id='bone' sid='bone' type='JOINT'><translate>9 9 9"
+                         "</translate></node>" +
+                             node("<instance_controller url='#c'><skeleton>#bone</skeleton>"
+                                  "</instance_controller>"));
+  text.insert(text.find("<library_visual_scenes>"), skin);
+  expectBounds(importDae(text), posed(Eigen::Affine3d::Identity()));
+}
+
 TEST(ImportDae, AnUpAxisThatShearsIsRefused) {
   const auto lookat = [](const std::string& numbers, const std::string& content) {
     return dae(kMetres, node("<lookat>" + numbers + "</lookat>" + content));

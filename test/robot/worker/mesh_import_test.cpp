@@ -63,6 +63,24 @@ TEST(ImportStl, DegenerateTrianglesCount) {
   expectBounds(import("a.stl", binaryStl(corners)), {0, 0, 0}, {5, 5, 5});
 }
 
+/// As in rviz.
+TEST(ImportGltf, MorphTargetsDoNotMoveVertices) {
+  const TemporaryFolder folder;
+  std::string text = gltf("a.bin");
+  const auto replace = [&](const std::string& old, const std::string& now) {
+    text.replace(text.find(old), old.size(), now);
+  };
+  replace(R"("attributes":{"POSITION":0}})",
+          R"("attributes":{"POSITION":0},"targets":[{"POSITION":0}]})");
+  replace(R"("meshes":[{)", R"("meshes":[{"weights":[1],)");
+  std::string numbers;
+  for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 3.f})
+    numbers += bytesOf(number);
+  folder.write("a.bin", numbers);
+  const TriangleMesh mesh = importMesh({folder.write("a.gltf", text), folder.path().string()});
+  EXPECT_EQ(boundsOf(mesh).max(), Eigen::Vector3d(1, 2, 3));
+}
+
 TEST(ImportObj, VerticesThatNoFaceUsesAreDropped) {
   expectTetrahedron(import("a.obj",
                            "v 0 0 0\nv 1 0 0\nv 9 9 9\nv 0 2 0\nv 0 0 3\n"
