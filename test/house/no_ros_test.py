@@ -48,8 +48,8 @@ def check_patterns():
 # The conversions to and from messages, in no library.
 KNOWS_ROS = 'include/link_bounds/ros/messages.h'
 # The end of the worker process that reads meshes.
-KNOWS_ASSIMP = ('confined_files.cpp', 'confined_files.h', 'mesh_import.cpp', 'mesh_text.h',
-                'misread_files.cpp')
+KNOWS_ASSIMP = ('confined_files.cpp', 'confined_files.h', 'mesh_formats.cpp', 'mesh_formats.h',
+                'mesh_import.cpp', 'mesh_text.h')
 
 
 def check_sources(package):

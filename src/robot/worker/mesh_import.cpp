@@ -12,7 +12,6 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
-#include <filesystem>
 #include <new>
 #include <string>
 #include <utility>
@@ -21,8 +20,8 @@
 #include "link_bounds/geometry/box/length.h"
 #include "robot/mesh/weld.h"
 #include "robot/worker/confined_files.h"
+#include "robot/worker/mesh_formats.h"
 #include "robot/worker/mesh_text.h"
-#include "robot/worker/misread_files.h"
 #include "robot/worker/polygon.h"
 
 namespace link_bounds {
@@ -95,22 +94,9 @@ constexpr std::array kLosses = {
     // In warnings.
     "'endsolid' keyword was expected", "not yet complete", "resulted in overflow",
     "unable to find geometry", "dropped", "unable to parse", "vertex index", "invalid index",
-    "face index is out of range", "only triangles are supported", "ignoring unrecognized geometry",
-    "dxf: ", "surf token", "invalid vertex reference", "number of kids", "face record",
-    "index overflow", "<meshref> index", "chunk (metaball", "unknown polygon type",
-    "duplicate object id", "meter parameter",
+    "meter parameter",
     // In errors that may have one of the words below, as in a name.
     "to instanced node", "unresolved reference format", "unexpected eof"};
-
-/// Parts of names of X3D nodes, in small letters, that assimp skips and that hide no geometry.
-constexpr std::array kNoGeometryInX3d = {
-    "navigationinfo",  "background",   "fog",       "worldinfo",  "light",  "metadata",
-    "sensor",          "interpolator", "sequencer", "trigger",    "toggle", "script",
-    "sound",           "audioclip",    "damper",    "chaser",     "filter", "protodeclare",
-    "route",           "import",       "export",    "clipplane",  "easein", "viewport\"",
-    "vertexattribute", "texture",      "material",  "properties", "shader", "viewpoint\""};
-
-constexpr char kSkippingNode[] = "skipping node \"";  // then its name, in quotes
 
 /// An error with one of these leaves out no geometry; all other errors may.
 constexpr std::array kNoLosses = {
@@ -119,9 +105,7 @@ constexpr std::array kNoLosses = {
     "specular", "light", "camera", "ambient", "emissive", "illumination", "bone", "skeleton",
     "animation", "skin", "mapping",
     // A face without corners, a material before the first vertex, a point with a texture.
-    "empty face", "attach a new mesh", "point statement",
-    // About normals and the like in FBX.
-    "vertex data channel", "input data unexpected"};
+    "empty face", "attach a new mesh", "point statement"};
 
 template <class Parts>
 bool hasAny(const Parts& parts, const std::string& text) {
@@ -140,14 +124,7 @@ class LossLog : public Assimp::Logger {
   // and detatchStream), so none is marked as overriding.
   void OnDebug(const char*) {}
   void OnVerboseDebug(const char*) {}
-  void OnInfo(const char* message) {
-    const std::string text = inSmallLetters(message);
-    const std::size_t begin = text.find(kSkippingNode);
-    if (begin == std::string::npos) return;
-    const std::size_t name = begin + sizeof(kSkippingNode) - 1;
-    const std::size_t length = text.find('"', name) - name + 1;
-    if (!hasAny(kNoGeometryInX3d, text.substr(name, length))) note(message);
-  }
+  void OnInfo(const char*) {}
   void OnWarn(const char* message) {
     if (hasAny(kLosses, inSmallLetters(message))) note(message);
   }
@@ -166,12 +143,6 @@ class LossLog : public Assimp::Logger {
 
   std::string first_loss_;
 };
-
-/// Assimp finds out most formats by the file name; the name of a symbolic link does not count.
-std::string hintFor(const Assimp::Importer& importer, const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  return importer.IsExtensionSupported(extension) ? "" : "; name it with its extension";
-}
 
 /// A loop, because nodes may be nested more deeply than the stack allows.
 TriangleMesh collectTriangles(const aiScene& scene) {
@@ -195,7 +166,7 @@ TriangleMesh collectTriangles(const aiScene& scene) {
 TriangleMesh read(const std::string& path, Assimp::Importer& importer, ConfinedFiles& files) {
   auto* const log = new LossLog;
   Assimp::DefaultLogger::set(log);  // which owns it
-  refuseMisread(files, path);
+  checkFormat(importer, files, path);
   // Otherwise assimp adds a mesh that shows the nodes of a file without geometry.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(path, 0);
@@ -204,7 +175,7 @@ TriangleMesh read(const std::string& path, Assimp::Importer& importer, ConfinedF
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     const std::string what = "assimp cannot read it (" + reason + ")";
     const std::optional<MeshError>& refusal = files.refusal();
-    if (!refusal) throw MeshError(what + hintFor(importer, path));
+    if (!refusal) throw MeshError(what);
     throw MeshError(what + "; " + refusal->what(), refusal->fault());
   }
   checkIndices(*scene);

@@ -13,10 +13,6 @@ constexpr std::size_t kMaxHeaderLine = 1 << 16;
 // Checked line by line: numbers that are read only in part, lines that are left out.
 void checkStl(Lines& lines);
 void checkObj(Lines& lines);
-void checkAc3d(Lines& lines);
-void checkAse(Lines& lines);
-void checkDxf(Lines& lines);
-void checkRaw(Lines& lines);
 
 // Checked by the counts in the header.
 void checkPly(Lines& lines);

@@ -23,10 +23,6 @@ bool isBinaryStl(Lines& lines) {
   return count * 50 + static_cast<std::uint32_t>(text.size()) == lines.fileSize();
 }
 
-bool isSignOrDigit(char c) {
-  return ('0' <= c && c <= '9') || c == '-' || c == '+';
-}
-
 /// Assimp leaves out a vertex with another count of numbers, or with a number that begins with its
 /// decimal point.
 constexpr std::array<std::size_t, 3> kNumbersOfObjVertex{3, 4, 6};
@@ -103,25 +99,6 @@ bool isLostByCapitals(std::string_view word) {
   return small != word && (small == "facet" || small == "vertex");
 }
 
-/// Entities with faces that assimp leaves out.
-constexpr std::array kDxfSurfaces{"SOLID", "TRACE", "MESH", "REGION", "3DSOLID", "BODY"};
-
-bool isDxfSurface(std::string_view entity) {
-  return entity.find("SURFACE") != entity.npos || startsWith(entity, "ACAD_PROXY") ||
-         std::find(kDxfSurfaces.begin(), kDxfSurfaces.end(), entity) != kDxfSurfaces.end();
-}
-
-/// Refuses what assimp leaves out: an entity or a section whose name is not in capitals, and
-/// entities with faces that it does not know.
-void checkDxfName(std::string_view name, bool is_entity, const std::string& place) {
-  if (std::any_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
-    throw MeshError("assimp leaves out " + inQuotes(name) + ", in " + place +
-                    "; write it in capitals");
-  if (is_entity && isDxfSurface(name))
-    throw MeshError("assimp leaves out the " + std::string(name) + " in " + place +
-                    "; export faces as 3DFACE");
-}
-
 }  // namespace
 
 /// Checks by words, which may stand in any line. Assimp reads another part only if the line after
@@ -183,98 +160,6 @@ void checkObj(Lines& lines) {
     if (!goes_on && std::find(counts.begin(), counts.end(), count) == counts.end())
       throw MeshError("assimp leaves out a vertex of " + std::to_string(count) + " numbers, in " +
                       lines.place() + "; write 3, 4 or 6");
-  }
-}
-
-/// Also refuses objects and surfaces that are not announced, because assimp leaves them out.
-void checkAc3d(Lines& lines) {
-  std::size_t objects = 0, announced_objects = 1, surfaces = 0, announced_surfaces = 0;
-  std::size_t corners = 0;  // of the current surface that are still to come
-  while (const auto line = lines.next()) {
-    Words words(*line);
-    const std::string_view first = words.next();
-    if (corners > 0) requireIndex(first, lines.place());
-    if (corners > 0) --corners;
-    if (isSignOrDigit(first.front())) requireNumber(first, lines.place());
-    if (isSignOrDigit(first.front()) || first == "loc" || first == "rot")
-      words.countNumbers(lines.place());
-    if (first == "OBJECT") ++objects;
-    if (first == "SURF") ++surfaces;
-    if (first == "kids") announced_objects += countOf(words.next());
-    if (first == "numsurf") announced_surfaces += countOf(words.next());
-    if (first == "refs") corners = countOf(words.next());
-    if (first == "data") lines.next();
-  }
-  if (objects > announced_objects || surfaces > announced_surfaces)
-    throw MeshError("it has " + std::to_string(objects) + " objects and " +
-                    std::to_string(surfaces) + " surfaces, and announces " +
-                    std::to_string(announced_objects) + " and " +
-                    std::to_string(announced_surfaces) + " by kids and numsurf");
-}
-
-/// Refuses a corner beyond the vertices, for which assimp reads the memory behind them.
-void checkAse(Lines& lines) {
-  std::size_t vertices = 0;
-  while (const auto line = lines.next()) {
-    std::string text(*line);
-    std::replace(text.begin(), text.end(), ':', ' ');
-    Words words(text);
-    const std::string_view first = words.next();
-    if (first == "*MESH_NUMVERTEX") vertices = countOf(words.next());
-    if (first == "*MESH_VERTEX" || startsWith(first, "*TM_ROW")) words.countNumbers(lines.place());
-    if (first != "*MESH_FACE") continue;
-    words.next();  // its number
-    for (int i = 0; i < 3; ++i) {
-      words.next();  // A, B or C
-      const std::string_view corner = words.next();
-      requireIndex(corner, lines.place());
-      if (countOf(corner) >= vertices)
-        throw MeshError("a face names vertex " + std::string(corner) + " of " +
-                        std::to_string(vertices) + ", in " + lines.place());
-    }
-  }
-}
-
-/// Each value stands in the line after its group code. Those of 10 to 59 are numbers. 0 begins an
-/// entity or a section; the name of a section follows with 2. An INSERT has its columns and rows
-/// in 70 and 71.
-void checkDxf(Lines& lines) {
-  lines.keepBlankLines();
-  std::string entity;
-  while (const auto line = lines.next()) {
-    const std::string_view text = Words(*line).next();
-    const std::optional<std::size_t> code =
-        text.empty() ? std::nullopt : std::make_optional(countOf(text));
-    const auto value = lines.next();
-    if (!value || !code) continue;
-    const std::string_view word = Words(*value).next();
-    if (10 <= *code && *code < 60) requireNumber(word, lines.place());
-    const bool is_section = entity == "SECTION" && *code == 2;
-    if (*code == 0 || is_section) {
-      checkDxfName(word, !is_section, lines.place());
-      entity = is_section ? "" : word;
-    }
-    if (entity == "INSERT" && (*code == 70 || *code == 71) && countOf(word) > 1)
-      throw MeshError("assimp leaves out all but the first of an INSERT of rows and columns, in " +
-                      lines.place() + "; export faces as 3DFACE");
-  }
-}
-
-/// A line has 9 numbers, or 12, and then at most the name of a texture. All other lines are names.
-void checkRaw(Lines& lines) {
-  while (const auto line = lines.next()) {
-    Words words(*line);
-    std::string_view word = words.next();
-    std::size_t numbers = 0, all = 0;
-    const bool is_triangle = isSignOrDigit(word.front());
-    for (; !word.empty(); word = words.next()) {
-      if (numbers == all && numbers < 12 && isSignOrDigit(word.front()) && isNumber(word))
-        ++numbers;
-      ++all;
-    }
-    if ((is_triangle || all >= 9) && numbers != 9 && numbers != 12)
-      throw MeshError("a triangle has 9 or 12 numbers, not " + std::to_string(numbers) + ", in " +
-                      lines.place());
   }
 }
 

@@ -105,17 +105,6 @@ TEST_F(FilesOfMeshes, AFileThatTakesThePlaceOfAnotherIsNoticed) {
   EXPECT_EQ(widthOf(load("a.gltf")), 2);
 }
 
-TEST_F(FilesOfMeshes, ObjectsOfASceneAreWatched) {
-  folder_.write("part.obj", triangleObj(2));
-  folder_.write("scene.lws", "LWSC\n3\n\nLoadObject part.obj\nShowObject 6 7\n");
-  const LoadedMesh first = load("scene.lws");
-  ASSERT_EQ(widthOf(first), 2) << first.error;
-  EXPECT_TRUE(isKnown("scene.lws"));
-  folder_.write("part.obj", triangleObj(3));
-  EXPECT_FALSE(isKnown("scene.lws"));
-  EXPECT_EQ(widthOf(load("scene.lws")), 3);
-}
-
 TEST_F(FilesOfMeshes, OtherFilesOfTheFolderAreNot) {
   folder_.write("a.obj", "mtllib a.mtl\n" + triangleObj(2));
   folder_.write("a.mtl", "newmtl m\n");
