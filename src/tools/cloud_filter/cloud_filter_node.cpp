@@ -280,10 +280,11 @@ std::size_t CloudFilterNode::waitingBytes() const {
   return sum;
 }
 
+/// It may not have been tried: then it lacks what an earlier one of the same frame lacked.
 void CloudFilterNode::giveUpOldest(Input& input) {
-  const bool is_late = !input.waits_for.empty();
-  giveUp(input.waiting.front(),
-         is_late ? input.waits_for : "more clouds came than could be filtered", is_late);
+  const Waiting& waiting = input.waiting.front();
+  const bool is_late = !input.waits_for.empty() && waiting.header().frame_id == input.waits_in;
+  giveUp(waiting, is_late ? input.waits_for : "more clouds came than could be filtered", is_late);
   input.waiting.pop_front();
 }
 
@@ -313,6 +314,7 @@ bool CloudFilterNode::filterFirst(Input& input) {
     outcome.reason = error.what();
   }
   input.waits_for = outcome.may_come ? outcome.reason : "";
+  input.waits_in = waiting.header().frame_id;
   if (!outcome.is_done) {
     if (outcome.may_come && waited < max_wait) return false;
     giveUp(waiting, is_late_turn ? kTooLong + outcome.reason : outcome.reason,

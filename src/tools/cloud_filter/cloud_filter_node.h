@@ -69,6 +69,7 @@ class CloudFilterNode {
   struct Input {
     std::deque<Waiting> waiting;
     std::string waits_for = "";  ///< what the first message lacks from tf; "" if nothing
+    std::string waits_in = "";   ///< the frame of that message
   };
 
   /// The result of trying to filter a message.

@@ -192,6 +192,16 @@ TEST_F(PlainOutputTest, KnowsWhoIsThere) {
   EXPECT_EQ(next(*third, kNothing), std::nullopt);
 }
 
+TEST_F(PlainOutputTest, AMessageOfItsOwnIsOlderThanTheFirstOfTheTopic) {
+  greet_ = [&](OutputTopic::Subscriber& one) {
+    output_.publish(message(9));
+    output_.publishTo(one, message(7));
+  };
+  const auto first = connected();
+  EXPECT_EQ(next(*first), 9U);
+  EXPECT_EQ(next(*first, kNothing), std::nullopt) << "older than what it has got";
+}
+
 TEST_F(PlainOutputTest, ANewSubscriberAloneMayGetAMessageOfItsOwn) {
   const auto first = connected();
   greet_ = [&](OutputTopic::Subscriber& one) { output_.publishTo(one, message(7)); };

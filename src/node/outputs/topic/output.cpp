@@ -187,7 +187,7 @@ bool OutputTopic::isWanted() {
 
 void OutputTopic::send(ros::SerializedMessage message) {
   const std::uint64_t number = number_++;
-  if (has_header_) writeNumber(number, message);
+  if (has_header_) writeNumber(number - 1, message);
   ros::SerializedMessage replaced;  // is freed without the lock
   std::shared_ptr<const Subscribers> subscribers;
   {
@@ -204,7 +204,7 @@ void OutputTopic::send(ros::SerializedMessage message) {
 }
 
 void OutputTopic::sendTo(Subscriber& subscriber, const ros::SerializedMessage& message) {
-  subscriber.send(message, 0);
+  subscriber.send(message, 0);  // older than all others
   wakeSocketThread();
 }
 

@@ -72,7 +72,7 @@ class OutputTopic {
   const std::size_t queue_;  ///< messages
   const OnSubscriber on_subscriber_;
   const std::unique_ptr<Waker> waker_;
-  std::uint64_t number_ = 0;  ///< of the next message; used by the publishing thread alone
+  std::uint64_t number_ = 1;  ///< of the next message; used by the publishing thread alone
   std::atomic<std::size_t> count_{0};
   std::atomic<bool> has_lost_{false};
   std::mutex mutex_;  ///< of the next three; held for moments only
