@@ -517,6 +517,7 @@ class MergeTest(EachBagTest):
         table, err = self.merged(file, code=INCOMPLETE)
         self.assertRegex(err, 'warning: not everything was answered: .* --allow-incomplete accepts')
         self.assertEqual(self.merged(file, '--allow-incomplete', code=0), (table, ''))
+        self.assertEqual(self.lines(bags, '--allow-incomplete', '--resume', file, code=0), [])
         lines = self.lines(bags, '--allow-incomplete', code=0)
         file = self.write('2.jsonl', '\n'.join(lines) + '\n')
         self.assertEqual(self.merged(file, code=INCOMPLETE)[0], table)

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// JointTransforms remembers where each joint was. In random sequences of messages, whose clock also
-// jumps back, it gives what one that saw only the last two messages of a joint gives.
+// JointTransforms remembers where each joint was. In random sequences of messages, some of which
+// are late or have positions that are not finite, and whose clock also jumps back, it gives what
+// one that saw only this message and the newest finite position of a joint gives.
 #include "tools/bag_bounds/scene/joint_transforms.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -63,6 +65,11 @@ bool areSameViews(const TransformView& a, const TransformView& b) {
          a.parent_from_child.numbers == b.parent_from_child.numbers;
 }
 
+bool isFinite(const TransformView& view) {
+  const auto& numbers = view.parent_from_child.numbers;
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
 std::size_t lossesOf(const JointTransforms& transforms) {
   const std::string loss = transforms.loss();
   return loss.empty() ? 0 : std::stoul(loss);
@@ -78,7 +85,7 @@ class JointRecording {
 
   void send() {
     const JointMessage message = nextMessage();
-    const auto views = transforms_.of(message, now_);
+    const auto views = transforms_.of(message, stamp_);
     for (const Joint& joint : robot_.joints) {
       const Link& link = robot_.links[joint.child];
       const auto told = ofLink(views, link);
@@ -87,7 +94,9 @@ class JointRecording {
       for (std::size_t i = 0; i < told.size(); ++i)
         EXPECT_TRUE(areSameViews(told[i], expected[i])) << joint.name << ", transform " << i;
       between_ += told.empty() ? 0 : told.size() - 1;
-      if (!told.empty()) last_[joint.name] = {message, now_};
+      if (told.empty() || !isFinite(told.back())) continue;
+      const auto [last, is_new] = last_.try_emplace(joint.name, Sent{message, stamp_});
+      if (!is_new && stamp_ > last->second.stamp) last->second = {message, stamp_};
     }
     countLosses(message);
   }
@@ -104,23 +113,33 @@ class JointRecording {
   JointMessage nextMessage() {
     const double step = random_.uniform(-0.1, 1);
     now_ += ros::Duration(step < -0.05 ? -2 : std::max(step, 0.0));
+    if (step < -0.05) forget();
+    const bool is_late = !are_whole_ && random_.uniform(0, 1) < 0.2;
+    stamp_ = now_ - ros::Duration(is_late ? random_.uniform(0, 2) : 0);
     JointMessage message;
     for (const Joint& joint : robot_.joints) {
       if (!are_whole_ && random_.uniform(0, 1) < 0.3) continue;
       message.name.push_back(joint.name);
       message.position.push_back(random_.uniform(0, 1) < 0.05 ? 1e4 : random_.uniform(-7, 7));
+      if (!are_whole_ && random_.uniform(0, 1) < 0.2) message.position.back() = NAN;
     }
     return message;
   }
 
-  /// Of one that saw only the last message with a position of the joint. Its views are into names
-  /// of `kept_`.
+  void forget() {
+    transforms_.forget();
+    last_.clear();
+    before_.reset();
+  }
+
+  /// Of one that saw only the message with the newest position of the joint. Its views are into
+  /// names of `kept_`.
   std::vector<TransformView> withoutMemory(const Joint& joint, const JointMessage& message,
                                            const Link& link) {
     kept_.push_back(std::make_unique<JointTransforms>(robot_, ""));
     const auto last = last_.find(joint.name);
     if (last != last_.end()) kept_.back()->of(last->second.message, last->second.stamp);
-    return ofLink(kept_.back()->of(message, now_), link);
+    return ofLink(kept_.back()->of(message, stamp_), link);
   }
 
   /// Where all messages have all joints, the losses are those of each message and the one before.
@@ -128,9 +147,9 @@ class JointRecording {
     if (!are_whole_) return;
     JointTransforms fresh(robot_, "");
     if (before_) fresh.of(before_->message, before_->stamp);
-    fresh.of(message, now_);
+    fresh.of(message, stamp_);
     losses_ += lossesOf(fresh);
-    before_ = {message, now_};
+    before_ = Sent{message, stamp_};
     EXPECT_EQ(lossesOf(transforms_), losses_);
   }
 
@@ -139,6 +158,7 @@ class JointRecording {
   const bool are_whole_;
   JointTransforms transforms_;
   ros::Time now_{1000};
+  ros::Time stamp_;  ///< of the message that is sent
   std::map<std::string, Sent> last_;
   std::vector<std::unique_ptr<JointTransforms>> kept_;
   std::optional<Sent> before_;

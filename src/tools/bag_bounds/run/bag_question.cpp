@@ -39,7 +39,7 @@ const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
 /// Whether the option is part of the fingerprint. The others change no line, or name files whose
 /// content is part of it.
 bool isCounted(const std::string& option_name) {
-  static const std::set<std::string> kOthers{"each", "jobs",  "resume",
+  static const std::set<std::string> kOthers{"each", "jobs",  "resume",     "allow-incomplete",
                                              "urdf", "zones", "static-from"};
   return kOthers.count(option_name) == 0;
 }

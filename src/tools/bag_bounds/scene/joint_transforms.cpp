@@ -69,11 +69,13 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
 }
 
 /// Adds transforms on the way of a turn by half a turn or more, so that tf2 follows its direction.
+/// A position that is not finite is not on the way, nor is one that is late: tf has a newer one.
 void JointTransforms::addTurn(const Joint& joint, const Position& next,
                               std::vector<TransformView>& result) {
+  if (!std::isfinite(next.value)) return;
   const auto [entry, is_new] = last_.try_emplace(&joint, next);
+  if (is_new || next.stamp <= entry->second.stamp) return;
   const Position last = std::exchange(entry->second, next);
-  if (is_new || next.stamp <= last.stamp) return;
   const Way way = wayBetween(joint, last, next);
   if (std::abs(way.turn) > kHalfTurn && std::abs(way.turn) <= kMaxTurn) {
     const double steps = std::ceil(std::abs(way.turn) / kMaxStep);

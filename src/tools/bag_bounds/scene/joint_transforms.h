@@ -35,6 +35,9 @@ class JointTransforms {
   /// before the last one.
   std::vector<TransformView> of(const sensor_msgs::JointState& message, ros::Time stamp);
 
+  /// Forgets where the joints were. To be called when the clock jumps back, as tf forgets then.
+  void forget() { last_.clear(); }
+
   /// A message about turns whose direction is not known; "" if there are none.
   std::string loss() const;
 
@@ -68,7 +71,7 @@ class JointTransforms {
   std::vector<std::string> frames_;  ///< of the links
   std::map<std::string, const Joint*> joints_;
   std::map<std::string, bool> is_met_;  ///< by leader: a message had it
-  std::map<const Joint*, Position> last_;
+  std::map<const Joint*, Position> last_;  ///< the newest finite one
   std::uint64_t ambiguous_ = 0;  ///< number of turns of unknown direction
   std::string first_ambiguous_;  ///< the joint of the first of these turns
 };

@@ -96,6 +96,7 @@ bool RecordedScene::take(const BagMessage& message) {
 /// If time goes back, a tick comes before the message, so that everybody sees tf after the jump.
 bool RecordedScene::passTo(std::int64_t time) {
   const std::int64_t begin = now_;
+  if (joints_ && goesBackTo(time)) joints_->forget();
   if (time < begin) {
     tick(time);
     next_tick_ = time + kTick;
