@@ -37,8 +37,7 @@ void DistanceThread::give(MomentPtr moment) {
 }
 
 void DistanceThread::give(MadeTree tree) {
-  const std::string key = "tree " + std::to_string(++trees_);
-  worker_.post(key, [this, tree = std::move(tree)] {
+  worker_.post([this, tree = std::move(tree)] {
     distances_.trees().add(tree);
     has_news_ = true;
   });

@@ -76,7 +76,6 @@ class DistanceThread {
   Time not_before_;                   ///< earliest begin of the next computation
   Time last_wanted_;
   TreeRequests requests_;
-  std::atomic<std::uint64_t> trees_{0};  ///< number of trees that were given
   std::atomic<std::uint64_t> given_{0};  ///< number of moments that were given
   std::atomic<std::uint64_t> published_{
       0};  ///< number of the newest moment that was published or dropped

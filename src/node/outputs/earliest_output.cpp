@@ -32,8 +32,7 @@ void EarliestOutput::restIfUnheard() {
 
 /// The next computation uses the tree.
 void EarliestOutput::give(MadeTree tree) {
-  worker_.post("tree " + std::to_string(++trees_),
-               [this, tree = std::move(tree)] { contacts_.trees().add(tree); });
+  worker_.post([this, tree = std::move(tree)] { contacts_.trees().add(tree); });
 }
 
 void EarliestOutput::publish() {

@@ -49,7 +49,6 @@ class EarliestOutput {
   void publish();
   void forget();
 
-  std::atomic<std::uint64_t> trees_{0};  ///< number of calls of give()
   std::atomic<bool> is_forgotten_{true};
   WayScenes scenes_;  ///< this and the next one: used by the thread alone
   ContactTimes contacts_;

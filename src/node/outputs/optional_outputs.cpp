@@ -15,20 +15,19 @@ OptionalOutputs::OptionalOutputs(ros::NodeHandle& private_node, Guard guard, Mom
       pairs_(pairs),
       newest_(std::move(newest)),
       overlaps_(private_node, privateName(kOverlapsTopic), kBoxesQueue,
-                greetWith("overlaps", &OptionalOutputs::publishOverlaps, newest_.published)),
+                greetWith(&OptionalOutputs::publishOverlaps, newest_.published)),
       parts_(private_node, privateName(kPartsTopic), kBoxesQueue,
-             greetWith("parts", &OptionalOutputs::publishParts, newest_.published)),
+             greetWith(&OptionalOutputs::publishParts, newest_.published)),
       markers_(private_node, privateName(kMarkersTopic), kMarkersQueue,
-               greetWith("markers", &OptionalOutputs::publishMarkers, newest_.current)),
+               greetWith(&OptionalOutputs::publishMarkers, newest_.current)),
       worker_({"outputs", true}) {}
 
-/// A greeting has a key of its own, so that no newer moment replaces it.
-OutputTopic::OnSubscriber OptionalOutputs::greetWith(const char* topic, Publish publish,
+/// A greeting has no key, so that no newer moment replaces it.
+OutputTopic::OnSubscriber OptionalOutputs::greetWith(Publish publish,
                                                      const std::function<MomentPtr()>& newest) {
-  return [this, topic, publish, &newest](const SubscriberPtr& subscriber) {
+  return [this, publish, &newest](const SubscriberPtr& subscriber) {
     guard_([&] {
-      if (const MomentPtr moment = newest())
-        post(std::string(topic) + std::to_string(++greetings_), publish, moment, subscriber);
+      if (const MomentPtr moment = newest()) post("", publish, moment, subscriber);
     });
   };
 }

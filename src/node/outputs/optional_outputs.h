@@ -6,7 +6,6 @@
 #include <ros/node_handle.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -56,8 +55,7 @@ class OptionalOutputs {
   using SubscriberPtr = OutputTopic::SubscriberPtr;  ///< null: all subscribers
   using Publish = void (OptionalOutputs::*)(const MomentPtr&, const SubscriberPtr&);
 
-  OutputTopic::OnSubscriber greetWith(const char* topic, Publish publish,
-                                      const std::function<MomentPtr()>& newest);
+  OutputTopic::OnSubscriber greetWith(Publish publish, const std::function<MomentPtr()>& newest);
   void post(const std::string& key, Publish publish, MomentPtr moment, SubscriberPtr to = {});
   void publishOverlaps(const MomentPtr& moment, const SubscriberPtr& to);
   void publishParts(const MomentPtr& moment, const SubscriberPtr& to);
@@ -67,7 +65,6 @@ class OptionalOutputs {
   const Guard guard_;
   MomentPairs& pairs_;
   const Newest newest_;
-  std::uint64_t greetings_ = 0;
   OverlapFiller overlap_filler_;  ///< this and the next five: used by the thread alone
   BoxOverlapArray overlaps_message_;
   PartBoxes part_boxes_;

@@ -16,6 +16,11 @@ TimedQueue::Backlog TimedQueue::backlog() const {
   return {entries_.size(), std::chrono::nanoseconds(oldest.toNSec())};
 }
 
+bool TimedQueue::isEmpty() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return entries_.empty();
+}
+
 std::size_t TimedQueue::takeMaxWaiting() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(max_waiting_, entries_.size());
@@ -30,7 +35,13 @@ bool TimedQueue::callOne() {
   Entry entry;
   if (!takeOne(entry)) return false;
   called_ = entry.arrival;
-  if (entry.callback->call() != ros::CallbackInterface::TryAgain) entry.callback.reset();
+  try {
+    if (entry.callback->call() != ros::CallbackInterface::TryAgain) entry.callback.reset();
+  } catch (...) {
+    entry.callback.reset();
+    endCall(std::move(entry));
+    throw;
+  }
   endCall(std::move(entry));
   return true;
 }
@@ -67,13 +78,16 @@ void TimedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uin
 }
 
 void TimedQueue::removeByID(std::uint64_t owner) {
-  std::deque<Entry> removed;  // freed after the lock is released
+  std::deque<Entry> removed;  // freed without the lock
   std::unique_lock<std::mutex> lock(mutex_);
   const auto stays = [owner](const Entry& entry) { return entry.owner != owner; };
   const auto first = std::stable_partition(entries_.begin(), entries_.end(), stays);
   std::move(first, entries_.end(), std::back_inserter(removed));
   entries_.erase(first, entries_.end());
   is_caller_removed_ |= is_calling_ && caller_ == owner;
+  lock.unlock();
+  removed.clear();  // before the wait: the callback that runs may wait for their end
+  lock.lock();
   if (is_calling_ && thread_ == std::this_thread::get_id()) return;
   rest_.wait(lock, [&] { return !is_calling_ || caller_ != owner; });
 }

@@ -27,13 +27,15 @@ class TimedQueue : public ros::CallbackQueueInterface {
 
   Backlog backlog() const;
 
+  bool isEmpty() const;
+
   /// The max number of callbacks that waited or ran at the same time since the last call.
   std::size_t takeMaxWaiting();
 
   /// Returns when a callback waits, at the latest after `longest`.
   void wait(std::chrono::nanoseconds longest);
 
-  /// Calls the callback that has waited longest; false if none waits.
+  /// Calls the callback that has waited longest; false if none waits. Throws what it throws.
   bool callOne();
 
   /// For use in a callback: the time when that callback was added.

@@ -9,15 +9,14 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <exception>
 #include <iterator>
 #include <list>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <unordered_map>
-#include <vector>
 
 #include "node/threads/be_nice.h"
 #include "node/threads/queued_function.h"
@@ -86,33 +85,22 @@ struct Worker::Posted {
   Clock::time_point since;
 };
 
-struct Worker::Urgent {
-  ros::CallbackInterfacePtr callback;
-  std::uint64_t owner;
-};
-
 struct Worker::Inbox {
   mutable std::mutex mutex;  ///< guards all members below
   std::condition_variable wake;
-  std::condition_variable rest;  ///< notified when urgent work was done
-  std::deque<Urgent> urgent;
   std::list<Posted> posted;
   std::unordered_map<std::string, std::list<Posted>::iterator> by_key;
-  std::vector<std::shared_ptr<const void>> discarded;
-  std::thread::id thread;
+  Values discarded;
   std::string running_key;
-  Clock::time_point running_since;
+  std::optional<Clock::time_point> running_since;  ///< since when the running work was posted
   Clock::duration longest{0};  ///< since the last takeLongest(), of completed posted work
-  std::uint64_t running_owner = 0;
-  bool is_urgent_running = false;
-  bool is_urgent_removed = false;  ///< removeByID() was called for the urgent work that runs
 
   // Changed under the mutex, but read without it. Long work reads these flags often; if it were
   // preempted while it holds the mutex, the update thread would have to wait.
   std::atomic<bool> is_stopped{false};
   std::atomic<bool> is_running_cancelled{false};
 
-  bool isEmpty() const { return urgent.empty() && posted.empty() && discarded.empty(); }
+  bool isEmpty() const { return posted.empty() && discarded.empty(); }
 
   Posted take(std::list<Posted>::iterator item) {
     Posted taken = std::move(*item);
@@ -120,13 +108,6 @@ struct Worker::Inbox {
     posted.erase(item);
     return taken;
   }
-};
-
-/// The next actions of the thread: objects to free, and one piece of work.
-struct Worker::Next {
-  std::vector<std::shared_ptr<const void>> discarded;
-  Urgent urgent{nullptr, 0};
-  Work work;
 };
 
 Worker::Worker(Options options)
@@ -139,12 +120,12 @@ void Worker::post(const std::string& key, Work work) {
     const std::lock_guard<std::mutex> lock(inbox_->mutex);
     if (inbox_->is_stopped) return;
     const auto found = inbox_->by_key.find(key);
-    if (inbox_->running_key == key) inbox_->is_running_cancelled = true;
+    if (!key.empty() && inbox_->running_key == key) inbox_->is_running_cancelled = true;
     if (found != inbox_->by_key.end()) {
       std::swap(found->second->work, work);  // the old work is freed without the lock
     } else {
       inbox_->posted.push_back({key, std::move(work), Clock::now()});
-      inbox_->by_key[key] = std::prev(inbox_->posted.end());
+      if (!key.empty()) inbox_->by_key[key] = std::prev(inbox_->posted.end());
     }
   }
   inbox_->wake.notify_one();
@@ -162,7 +143,7 @@ std::chrono::nanoseconds Worker::takeLongest() {
   const std::lock_guard<std::mutex> lock(inbox_->mutex);
   const Clock::time_point now = Clock::now();
   Clock::duration longest = std::exchange(inbox_->longest, Clock::duration(0));
-  if (!inbox_->running_key.empty()) longest = std::max(longest, now - inbox_->running_since);
+  if (inbox_->running_since) longest = std::max(longest, now - *inbox_->running_since);
   for (const Posted& item : inbox_->posted)
     longest = std::max(longest, now - item.since);
   return longest;
@@ -211,12 +192,9 @@ void Worker::stop() {
   }
   inbox_->wake.notify_one();
   if (thread_.joinable()) thread_.join();
-  inbox_->rest.notify_all();
-  std::deque<Urgent> urgent;
   std::list<Posted> posted;
-  std::vector<std::shared_ptr<const void>> discarded;
+  Values discarded;
   const std::lock_guard<std::mutex> lock(inbox_->mutex);
-  std::swap(urgent, inbox_->urgent);
   std::swap(posted, inbox_->posted);
   std::swap(discarded, inbox_->discarded);
   inbox_->by_key.clear();
@@ -226,51 +204,35 @@ void Worker::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_
   {
     const std::lock_guard<std::mutex> lock(inbox_->mutex);
     if (inbox_->is_stopped) return;
-    inbox_->urgent.push_back({callback, owner});
+    urgent_.addCallback(callback, owner);
   }
   inbox_->wake.notify_one();
 }
 
 void Worker::removeByID(std::uint64_t owner) {
-  std::vector<Urgent> removed;  // is freed without the lock
-  std::unique_lock<std::mutex> lock(inbox_->mutex);
-  auto& urgent = inbox_->urgent;
-  const auto stays = [owner](const Urgent& entry) { return entry.owner != owner; };
-  const auto first = std::stable_partition(urgent.begin(), urgent.end(), stays);
-  std::move(first, urgent.end(), std::back_inserter(removed));
-  urgent.erase(first, urgent.end());
-  if (inbox_->is_urgent_running && inbox_->running_owner == owner) inbox_->is_urgent_removed = true;
-  lock.unlock();
-  removed.clear();
-  lock.lock();
-  if (std::this_thread::get_id() != inbox_->thread) {
-    inbox_->rest.wait(lock,
-                      [&] { return !inbox_->is_urgent_running || inbox_->running_owner != owner; });
-  }
+  urgent_.removeByID(owner);
 }
 
 void Worker::run() {
   if (options_.is_nice) beNice();
-  {
-    const std::lock_guard<std::mutex> lock(inbox_->mutex);
-    inbox_->thread = std::this_thread::get_id();
-  }
   while (!isStopping()) {
-    Next todo = next();
-    todo.discarded.clear();
-    if (todo.urgent.callback) {
-      doUrgent(std::move(todo.urgent));
-    } else if (todo.work) {
-      doPosted(todo.work);
+    Values discarded;
+    const Work work = next(discarded);
+    discarded.clear();
+    if (work) {
+      doPosted(work);
+    } else if (!inbox_->is_stopped) {
+      guarded([this] { urgent_.callOne(); });
     }
   }
 }
 
-/// Waits for work. Empty if none came within a tick period.
-Worker::Next Worker::next() {
-  Next todo;
+/// Waits for work. Empty if urgent work comes first, or if none came within a tick period.
+Worker::Work Worker::next(Values& discarded) {
   std::unique_lock<std::mutex> lock(inbox_->mutex);
-  const auto is_due = [this] { return inbox_->is_stopped || !inbox_->isEmpty(); };
+  const auto is_due = [this] {
+    return inbox_->is_stopped || !inbox_->isEmpty() || !urgent_.isEmpty();
+  };
   if (!is_due()) {
     lock.unlock();
     bool ticks = true;
@@ -283,46 +245,27 @@ Worker::Next Worker::next() {
     }
     if (options_.is_nice && !inbox_->posted.empty()) giveHeadStart(lock);
   }
-  if (inbox_->is_stopped) return todo;
-  std::swap(todo.discarded, inbox_->discarded);
-  if (!inbox_->urgent.empty()) {
-    todo.urgent = std::move(inbox_->urgent.front());
-    inbox_->urgent.pop_front();
-    inbox_->is_urgent_running = true;
-    inbox_->is_urgent_removed = false;
-    inbox_->running_owner = todo.urgent.owner;
-  } else if (!inbox_->posted.empty()) {
-    Posted item = inbox_->take(inbox_->posted.begin());
-    todo.work = std::move(item.work);
-    inbox_->running_key = std::move(item.key);
-    inbox_->running_since = item.since;
-    inbox_->is_running_cancelled = false;
-  }
-  return todo;
+  if (inbox_->is_stopped) return nullptr;
+  std::swap(discarded, inbox_->discarded);
+  if (inbox_->posted.empty() || !urgent_.isEmpty()) return nullptr;
+  Posted item = inbox_->take(inbox_->posted.begin());
+  inbox_->running_key = std::move(item.key);
+  inbox_->running_since = item.since;
+  inbox_->is_running_cancelled = false;
+  return std::move(item.work);
 }
 
 /// Waits for kHeadStart, unless urgent work comes or the worker is stopped.
 void Worker::giveHeadStart(std::unique_lock<std::mutex>& lock) {
   inbox_->wake.wait_for(lock, kHeadStart,
-                        [this] { return inbox_->is_stopped || !inbox_->urgent.empty(); });
-}
-
-void Worker::doUrgent(Urgent urgent) {
-  auto result = ros::CallbackInterface::Invalid;
-  guarded([&] { result = urgent.callback->call(); });
-  if (result != ros::CallbackInterface::TryAgain) urgent.callback.reset();
-  {
-    const std::lock_guard<std::mutex> lock(inbox_->mutex);
-    inbox_->is_urgent_running = false;
-    if (urgent.callback && !inbox_->is_urgent_removed) inbox_->urgent.push_back(std::move(urgent));
-  }
-  inbox_->rest.notify_all();
+                        [this] { return inbox_->is_stopped || !urgent_.isEmpty(); });
 }
 
 void Worker::doPosted(const Work& work) {
   guarded(work);
   const std::lock_guard<std::mutex> lock(inbox_->mutex);
-  inbox_->longest = std::max(inbox_->longest, Clock::now() - inbox_->running_since);
+  inbox_->longest = std::max(inbox_->longest, Clock::now() - *inbox_->running_since);
+  inbox_->running_since.reset();
   inbox_->running_key.clear();
   inbox_->is_running_cancelled = false;
 }

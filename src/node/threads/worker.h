@@ -13,6 +13,9 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
+
+#include "node/threads/timed_queue.h"
 
 namespace link_bounds {
 
@@ -44,6 +47,9 @@ class Worker : public ros::CallbackQueueInterface {
   /// Replaces work that waits under the same key, and keeps its place. A stopped worker ignores the
   /// call.
   void post(const std::string& key, Work work);
+
+  /// The same without a key: the work is never replaced.
+  void post(Work work) { post("", std::move(work)); }
 
   /// The longest time from post() to the end of the work since the last call, including work that
   /// still runs or waits. For work that replaced other work, the time counts from the first post().
@@ -89,18 +95,17 @@ class Worker : public ros::CallbackQueueInterface {
  private:
   struct Inbox;
   struct Posted;
-  struct Urgent;
-  struct Next;
+  using Values = std::vector<std::shared_ptr<const void>>;
 
   static void discard(Inbox& inbox, std::shared_ptr<const void> value);
   void run();
-  Next next();
+  Work next(Values& discarded);
   void giveHeadStart(std::unique_lock<std::mutex>& lock);
-  void doUrgent(Urgent urgent);
   void doPosted(const Work& work);
 
   Options options_;
   std::shared_ptr<Inbox> inbox_;  ///< shared, because values from owned() may outlive the worker
+  TimedQueue urgent_;             ///< callbacks are added under the mutex of the inbox
   std::thread thread_;
 };
 

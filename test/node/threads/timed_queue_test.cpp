@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <future>
+#include <stdexcept>
 #include <vector>
 
 #include "node/threads/queued_function.h"
@@ -93,6 +94,19 @@ TEST(TimedQueue, ACallbackMayAddAndRemoveOthers) {
   while (queue.callOne()) {
   }
   EXPECT_EQ(calls, 1);
+}
+
+/// One that throws, too: who waits for its end would wait for ever.
+TEST(TimedQueue, ACallbackThatThrowsHasEnded) {
+  class Thrower : public ros::CallbackInterface {
+    CallResult call() override { throw std::runtime_error("a test"); }
+  };
+  TimedQueue queue;
+  queue.addCallback(boost::make_shared<Thrower>(), 7);
+  EXPECT_THROW(queue.callOne(), std::runtime_error);
+  auto removed = std::async(std::launch::async, [&] { queue.removeByID(7); });
+  EXPECT_EQ(removed.wait_for(kLong / 2), std::future_status::ready);
+  EXPECT_FALSE(queue.callOne());
 }
 
 TEST(TimedQueue, AnOwnerEndsAfterItsCallback) {

@@ -42,6 +42,22 @@ TEST(Worker, DoesTheNewestOfEachKeyInTheOrderOfTheFirst) {
   EXPECT_EQ(done, (std::vector<std::string>{"a3", "b2", "c1"}));
 }
 
+TEST(Worker, ReplacesNoWorkWithoutKey) {
+  Worker worker({"test"});
+  Gate gate(worker);
+  std::vector<int> done;
+  for (int i = 0; i < 3; ++i)
+    worker.post([&, i] {
+      if (i == 0) worker.post([&done] { done.push_back(3); });
+      EXPECT_FALSE(worker.isCancelled());
+      done.push_back(i);
+    });
+  gate.open();
+  drain(worker);
+  drain(worker);  // the first one may have come before the last of the work
+  EXPECT_EQ(done, (std::vector<int>{0, 1, 2, 3}));
+}
+
 /// What replaces other work has waited since that was posted.
 TEST(Worker, TellsForHowLongWorkWaits) {
   Worker worker({"test"});
@@ -151,6 +167,22 @@ TEST(Worker, OwnedValuesAreFreedOnItsThread) {
   EXPECT_EQ(freed, own);
 }
 
+/// Callers that always wait for urgent work must not make the values pile up.
+TEST(Worker, OwnedValuesAreFreedBeforeUrgentWorkThatWaits) {
+  Worker worker({"test"});
+  Gate gate(worker);
+  std::thread::id freed, own;
+  bool was_freed = false;
+  enqueue(worker, [&] {
+    own = std::this_thread::get_id();
+    was_freed = freed == own;
+  });
+  worker.owned(std::make_shared<const Traced>(freed)).reset();
+  gate.open();
+  drain(worker);
+  EXPECT_TRUE(was_freed);
+}
+
 TEST(Worker, OwnedValuesMayOutliveIt) {
   std::thread::id freed;
   std::shared_ptr<const Traced> value;
@@ -212,6 +244,23 @@ TEST(Worker, StopEndsAwaitingAndThePieceIsNotCalledAnyMore) {
   queue.callAvailable();
   EXPECT_FALSE(answer);
   EXPECT_EQ(pieces, 0);
+}
+
+TEST(Worker, StopDropsUrgentWorkThatWaits) {
+  Worker::Options options{"test"};
+  std::promise<void> begun;
+  std::promise<const Worker*> made;
+  options.on_tick = [&] {
+    begun.set_value();
+    const Worker* const worker = valueOf(made.get_future());
+    becomesTrue([&] { return worker->isStopping(); });
+    return false;
+  };
+  Worker worker(options);
+  valueOf(begun.get_future());
+  enqueue(worker, [] { ADD_FAILURE() << "it was stopped"; });
+  made.set_value(&worker);
+  worker.stop();
 }
 
 TEST(Worker, TicksWhileItIsWanted) {
