@@ -129,7 +129,7 @@ void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
   add(status, "transforms dropped after a clock jump", std::to_string(intake.dropped));
 }
 
-void addLatePublishers(const LatePublishers::Texts& publishers, DiagnosticStatus& status) {
+void addLatePublishers(const LateTexts& publishers, DiagnosticStatus& status) {
   add(status, "publishers behind", std::to_string(publishers.size()));
   std::size_t count = 0;
   for (const auto& [publisher, text] : publishers) {

@@ -14,7 +14,7 @@
 #include "node/outputs/distance_output.h"
 #include "node/upkeep/callback_times.h"
 #include "world/bodies/scene.h"
-#include "world/tf/late_publishers.h"
+#include "world/tf/transform_input.h"
 
 namespace link_bounds {
 
@@ -42,7 +42,7 @@ struct Health {
   std::map<std::string, double> behind;  ///< per topic, without ~: max delay of its computation
                                          ///< behind ~boxes since the last status [s]
   TfIntake intake;
-  LatePublishers::Texts late_publishers;
+  LateTexts late_publishers;
   DistanceHealth distances;
 };
 

@@ -72,7 +72,7 @@ class SceneFeed {
   void forgetQuietFrames(ros::SteadyTime now) { tf_.forgetQuiet(now); }
 
   /// See TransformInput.
-  LatePublishers::Texts takeLatePublishers() { return input_.takeLatePublishers(); }
+  LateTexts takeLatePublishers() { return input_.takeLatePublishers(); }
 
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }

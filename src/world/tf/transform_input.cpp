@@ -10,6 +10,8 @@
 namespace link_bounds {
 namespace {
 
+const ros::WallDuration kMemory(5.0);
+
 std::string reasonOf(const Refusal& refusal) {
   if (!refusal.behind) return refusal.reason;
   return "it is " + std::to_string(*refusal.behind) + " s behind: " + refusal.reason;
@@ -58,7 +60,24 @@ void TransformInput::report(const std::vector<Refusal>& refusals,
     if (const auto line = log.line(std::string(frame), reasonOf(refusal), publisher, now))
       ROS_WARN_STREAM(*line);
   }
-  if (late) late_publishers_.add(publisher, transforms[late->index].child, *late->behind, now);
+  if (late)
+    late_publishers_[publisher] = {std::string(transforms[late->index].child), *late->behind, now};
+}
+
+LateTexts TransformInput::takeLatePublishers() {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  LateTexts texts;
+  for (auto entry = late_publishers_.begin(); entry != late_publishers_.end();) {
+    const auto& [publisher, lateness] = *entry;
+    if (now - lateness.time > kMemory) {
+      entry = late_publishers_.erase(entry);
+      continue;
+    }
+    texts[publisher] =
+        "by " + std::to_string(lateness.behind) + " s (frame " + lateness.frame + ")";
+    ++entry;
+  }
+  return texts;
 }
 
 void TransformInput::forgetLog() {

@@ -3,17 +3,23 @@
 // Adds the transforms of messages to a TransformBuffer.
 #pragma once
 
+#include <ros/time.h>
+
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "world/log/refusal_log.h"
 #include "world/tf/clock_watch.h"
-#include "world/tf/late_publishers.h"
 #include "world/tf/tf_message.h"
 #include "world/tf/transform_buffer.h"
 
 namespace link_bounds {
+
+/// By name of a publisher of late transforms, older than the newest one of their frame, so that
+/// they do not move it: a text with the delay and the frame of the last one, not sanitised.
+using LateTexts = std::map<std::string, std::string>;
 
 class TransformInput {
  public:
@@ -25,15 +31,19 @@ class TransformInput {
   void add(const std::vector<TransformView>& transforms, bool is_static, const Publisher& publisher,
            const ClockWatch& clock, ros::Time now, ros::SteadyTime arrival, TransformBuffer& tf);
 
-  /// The publishers of late transforms; see LatePublishers.
-  LatePublishers::Texts takeLatePublishers() {
-    return late_publishers_.take(ros::SteadyTime::now());
-  }
+  /// The publishers that were late in the last five seconds. Forgets the others.
+  LateTexts takeLatePublishers();
 
   /// Lines that were logged may be logged again.
   void forgetLog();
 
  private:
+  struct Lateness {
+    std::string frame;
+    double behind;  ///< [s]
+    ros::SteadyTime time;
+  };
+
   void addAll(const std::vector<TransformView>& transforms, bool is_static,
               const Publisher& publisher, ros::Time now, TransformBuffer& tf);
 
@@ -43,7 +53,7 @@ class TransformInput {
   RefusalLog log_{"a transform of", "transforms of further frames"};
   RefusalLog late_log_{"a transform of", "transforms of further frames", "late"};
   RefusalLog doubt_log_{"a transform of", "transforms of further frames", "in doubt"};
-  LatePublishers late_publishers_;
+  std::map<std::string, Lateness> late_publishers_;  ///< by name; does not grow with the frames
 };
 
 }  // namespace link_bounds

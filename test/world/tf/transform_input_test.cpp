@@ -44,7 +44,7 @@ TEST_F(TransformInputTest, EachLatePublisherIsNamedAlone) {
   send("/good", 1000, 3);
   for (int i = 0; i < 20; ++i)
     send("/late_" + std::to_string(i), 995 + 0.01 * i, 3);
-  const LatePublishers::Texts late = input_.takeLatePublishers();
+  const LateTexts late = input_.takeLatePublishers();
   ASSERT_EQ(late.size(), 20u);
   EXPECT_EQ(late.at("/late_0"), "by 5.000000 s (frame link_2)");
   input_.forgetLog();
