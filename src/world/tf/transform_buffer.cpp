@@ -57,7 +57,6 @@ void TransformBuffer::count(std::uint64_t TfIntake::*what, bool is_needed) {
 }
 
 void TransformBuffer::countByName(std::uint64_t TfIntake::*what, std::string_view child) {
-  if (!child.empty() && child.front() == '/') child.remove_prefix(1);
   const std::optional<Frame> frame = find(child);
   count(what, frame && edges_[*frame].isNeeded());
 }

@@ -219,6 +219,19 @@ TEST_F(EdgesTest, AnEdgeIsNeededAfterAClearUntilItHasATransform) {
   EXPECT_EQ(drop("b"), 1u) << "nobody needs it any more";
 }
 
+/// As tf2: only one slash goes, so "//b" is the frame "/b", which nobody needs.
+TEST_F(EdgesTest, AFrameWithASlashMoreIsAnotherOne) {
+  tf_.need(send("a", "b", 1));
+  const auto refuse = [this](const char* child) {
+    tf_.add({edge("a", child, 2, kNoTurn, {std::nan(""), 0, 0})}, false, now_);
+    return tf_.neededIntake().unusable;
+  };
+  EXPECT_EQ(refuse("//b"), 0u);
+  EXPECT_EQ(refuse("/b"), 1u);
+  EXPECT_EQ(refuse("b"), 2u);
+  EXPECT_EQ(tf_.intake().unusable, 3u);
+}
+
 TEST_F(EdgesTest, AgesCountFromTheStartOfTheClock) {
   now_ = ros::Time(0);
   const auto child = send("a", "b", 1);
