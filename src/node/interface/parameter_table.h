@@ -4,7 +4,7 @@
 // README's table with --help.
 #pragma once
 
-#include <cmath>
+#include <limits>
 #include <string>
 
 #include "link_bounds/robot/urdf/overlap_filter.h"
@@ -20,51 +20,39 @@ std::string any(const T&) {
   return "";
 }
 
-inline std::string notNegative(double value) {
-  return std::isfinite(value) && value >= 0 ? "" : "must be a finite number >= 0";
+/// Numbers from `min` to `max`, so not NaN; else `error`.
+constexpr auto within(double min, double max, const char* error) {
+  return [=](double value) { return value >= min && value <= max ? "" : std::string(error); };
 }
 
-inline std::string positive(double value) {
-  return std::isfinite(value) && value > 0 ? "" : "must be a finite number > 0";
-}
+constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kAboveZero = std::numeric_limits<double>::denorm_min();
 
 /// Longer lengths are mistakes, such as micrometres for metres. Sums of lengths up to this one stay
 /// finite and exact to a nanometre.
 constexpr double kMaxLength = 1e6;  // m
 
-inline std::string length(double value) {
-  return value >= 0 && value <= kMaxLength ? "" : "must be a number of metres from 0 to 1e6";
+inline constexpr auto notNegative = within(0, kMost, "must be a finite number >= 0");
+inline constexpr auto positive = within(kAboveZero, kMost, "must be a finite number > 0");
+inline constexpr auto length = within(0, kMaxLength, "must be a number of metres from 0 to 1e6");
+inline constexpr auto positiveLength =
+    within(kAboveZero, kMaxLength, "must be a number of metres > 0, at most 1e6");
+inline constexpr auto share = within(0, 0.5, "must be a number from 0 to 0.5");
+inline constexpr auto notNegativeInt = within(0, kMost, "must be a whole number >= 0");
+inline constexpr auto positiveInt = within(1, kMost, "must be a whole number > 0");
+inline constexpr auto partCount = within(1, 256, "must be a whole number from 1 to 256");
+
+/// One of the words; else `error`.
+template <class... Words>
+constexpr auto oneOf(const char* error, Words... words) {
+  return
+      [=](const std::string& value) { return ((value == words) || ...) ? "" : std::string(error); };
 }
 
-inline std::string positiveLength(double value) {
-  return value > 0 && value <= kMaxLength ? "" : "must be a number of metres > 0, at most 1e6";
-}
-
-inline std::string notNegativeInt(int value) {
-  return value >= 0 ? "" : "must be a whole number >= 0";
-}
-
-inline std::string positiveInt(int value) {
-  return value > 0 ? "" : "must be a whole number > 0";
-}
-
-inline std::string partCount(int value) {
-  return value >= 1 && value <= 256 ? "" : "must be a whole number from 1 to 256";
-}
-
-inline std::string geometry(const std::string& value) {
-  const bool is_known = value == "visual" || value == "collision" || value == "both";
-  return is_known ? "" : "must be visual, collision or both";
-}
-
-inline std::string share(double value) {
-  return value >= 0 && value <= 0.5 ? "" : "must be a number from 0 to 0.5";
-}
-
-inline std::string markerStyle(const std::string& value) {
-  const bool is_known = value == "edges" || value == "faces" || value == "both";
-  return is_known ? "" : "must be edges, faces or both";
-}
+inline constexpr auto geometry =
+    oneOf("must be visual, collision or both", "visual", "collision", "both");
+inline constexpr auto markerStyle = oneOf("must be edges, faces or both", "edges", "faces", "both");
+inline constexpr auto duringReaction = oneOf("must be measured or limit", "measured", "limit");
 
 inline std::string color(const std::array<double, 4>& rgba) {
   for (const double part : rgba) {
@@ -97,10 +85,6 @@ inline std::string baseDeceleration(const std::map<std::string, double>& value) 
       return "must have linear and angular, finite numbers > 0; see \"" + name + "\"";
   }
   return "";
-}
-
-inline std::string duringReaction(const std::string& value) {
-  return value == "measured" || value == "limit" ? "" : "must be measured or limit";
 }
 
 inline std::string groups(const std::map<std::string, std::vector<std::string>>& value) {

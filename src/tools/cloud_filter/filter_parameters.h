@@ -26,17 +26,9 @@ struct FilterParameters : LinkParameters {
 
 namespace rules {
 
-inline std::string late(const std::string& value) {
-  return value == "drop" || value == "pass" ? "" : "must be drop or pass";
-}
-
-inline std::string wait(double value) {
-  return value >= 0 && value <= 10 ? "" : "must be a number of seconds from 0 to 10";
-}
-
-inline std::string threads(int value) {
-  return value >= 1 && value <= 64 ? "" : "must be a whole number from 1 to 64";
-}
+inline constexpr auto late = oneOf("must be drop or pass", "drop", "pass");
+inline constexpr auto wait = within(0, 10, "must be a number of seconds from 0 to 10");
+inline constexpr auto threads = within(1, 64, "must be a whole number from 1 to 64");
 
 }  // namespace rules
 
