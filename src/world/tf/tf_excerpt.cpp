@@ -18,7 +18,7 @@ constexpr std::size_t kChunk = 128;       // samples per step; takes some micros
 
 TfExcerpt::Frame TfExcerpt::add(const TransformBuffer& tf, Frame frame) {
   if (!epoch_) {
-    readers_ = TransformBuffer::Readers(tf);
+    reader_ = tf.addReader();
     epoch_ = tf.epoch();
   }
   added_.push_back(frame);

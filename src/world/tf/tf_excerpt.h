@@ -74,7 +74,7 @@ class TfExcerpt {
   std::size_t firstNeeded(const EdgeHistory& history) const;
   Frame parentOf(const TransformBuffer& tf, const EdgeSample& sample);
 
-  TransformBuffer::Readers readers_;  ///< of the original; first member: destroyed last
+  std::shared_ptr<void> reader_;  ///< of the original; first member: destroyed last
   std::int64_t stamp_;
   std::int64_t span_;
   std::int64_t stale_before_;

@@ -80,24 +80,12 @@ class TransformBuffer {
     Frame frame_ = 0;
   };
 
-  /// Counts readers of frame numbers and names on other threads. As long as this lives, no number
-  /// or name that it may read is reused.
-  class Readers {
-   public:
-    Readers() = default;
-    explicit Readers(const TransformBuffer& tf) : count_(tf.readers_) { ++*count_; }
-    Readers(Readers&&) = default;
-    Readers& operator=(Readers&& other) noexcept {
-      std::swap(count_, other.count_);
-      return *this;
-    }
-    ~Readers() {
-      if (count_) --*count_;
-    }
-
-   private:
-    std::shared_ptr<std::atomic<int>> count_;
-  };
+  /// For a reader of frame numbers and names on another thread. As long as the result lives, no
+  /// number or name that it may read is reused.
+  std::shared_ptr<void> addReader() const {
+    ++*readers_;
+    return {nullptr, [count = readers_](void*) { --*count; }};
+  }
 
   /// To be called every tick. While there are more than `kept` frames, forgets frames that nobody
   /// holds or watches and that had no transform for one to two minutes of steady time, except the
