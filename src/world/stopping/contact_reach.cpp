@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link_bounds/geometry/box/aabb.h"
 #include "world/stopping/edge_samples.h"
 
 namespace link_bounds {
@@ -17,12 +18,8 @@ constexpr std::int64_t kResolution = 1000;  // ns, where bisection ends
 double leverOf(const MovingJoint& joint, const Aabb& box) {
   if (joint.kind == MovingJoint::Kind::kSlide) return 0;
   double lever = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d point((corner & 1) != 0 ? box.max().x() : box.min().x(),
-                                (corner & 2) != 0 ? box.max().y() : box.min().y(),
-                                (corner & 4) != 0 ? box.max().z() : box.min().z());
+  for (const Eigen::Vector3d& point : corners(box))
     lever = std::max(lever, (point - joint.origin).cross(joint.axis).norm());
-  }
   return lever;
 }
 
@@ -65,29 +62,29 @@ double ContactReach::until(std::int64_t time, std::size_t first) const {
   return path * (1 + kReachRounding);
 }
 
-std::size_t sharedJoints(const ContactReach& a, const ContactReach& b) {
-  if (a.stamp_ != b.stamp_) return 0;
+std::size_t ContactReach::sharedJoints(const ContactReach& other) const {
+  if (stamp_ != other.stamp_) return 0;
   std::size_t count = 0;
-  while (count < std::min(a.steps_.size(), b.steps_.size()) &&
-         a.steps_[count].joint == b.steps_[count].joint)
+  while (count < std::min(steps_.size(), other.steps_.size()) &&
+         steps_[count].joint == other.steps_[count].joint)
     ++count;
   return count;
 }
 
-bool canMeet(const ContactReach& a, const ContactReach& b) {
-  return std::max(a.steps_.size(), b.steps_.size()) > sharedJoints(a, b);
+bool ContactReach::canMeet(const ContactReach& other) const {
+  return std::max(steps_.size(), other.steps_.size()) > sharedJoints(other);
 }
 
-std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,
-                                            double distance, std::int64_t end) {
-  const std::size_t shared = sharedJoints(a, b);
+std::optional<std::int64_t> ContactReach::earliestContact(const ContactReach& other,
+                                                          double distance, std::int64_t end) const {
+  const std::size_t shared = sharedJoints(other);
   const auto can_touch = [&](std::int64_t time) {
-    return !(a.until(time, shared) + b.until(time, shared) < distance);  // true for NaN
+    return !(until(time, shared) + other.until(time, shared) < distance);  // true for NaN
   };
-  const bool a_moves = a.steps_.size() > shared;
-  const bool b_moves = b.steps_.size() > shared;
-  if (!canMeet(a, b) || !can_touch(end)) return std::nullopt;
-  std::int64_t before = std::min(a_moves ? a.begin_ : end, b_moves ? b.begin_ : end);
+  const bool this_moves = steps_.size() > shared;
+  const bool other_moves = other.steps_.size() > shared;
+  if (!canMeet(other) || !can_touch(end)) return std::nullopt;
+  std::int64_t before = std::min(this_moves ? begin_ : end, other_moves ? other.begin_ : end);
   std::int64_t after = end;
   while (after - before > kResolution) {
     const std::int64_t middle = before + (after - before) / 2;

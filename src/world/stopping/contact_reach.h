@@ -32,10 +32,13 @@ class ContactReach {
   /// `first` on move [m].
   double until(std::int64_t time, std::size_t first = 0) const;
 
-  friend std::size_t sharedJoints(const ContactReach& a, const ContactReach& b);
-  friend bool canMeet(const ContactReach& a, const ContactReach& b);
-  friend std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,
-                                                     double distance, std::int64_t end);
+  /// Whether any joint moves one body relative to the other.
+  bool canMeet(const ContactReach& other) const;
+
+  /// The time before which two bodies that are at least `distance` [m] apart cannot touch [ns]. It
+  /// may be up to 1 us too early. Nothing if they cannot touch before `end`.
+  std::optional<std::int64_t> earliestContact(const ContactReach& other, double distance,
+                                              std::int64_t end) const;
 
  private:
   struct Step {
@@ -48,22 +51,13 @@ class ContactReach {
     double lever;        ///< l_k above [m]
   };
 
+  /// The number of joints, from the root on, that move both bodies; 0 if their stamps differ.
+  std::size_t sharedJoints(const ContactReach& other) const;
   double offsetOf(const Step& step, double time) const;
 
   std::int64_t stamp_;
   std::int64_t begin_;       ///< BodyWay::known
   std::vector<Step> steps_;  ///< the one nearest to the root first
 };
-
-/// The number of joints, from the root on, that move both bodies; 0 if their stamps differ.
-std::size_t sharedJoints(const ContactReach& a, const ContactReach& b);
-
-/// Whether any joint moves one body relative to the other.
-bool canMeet(const ContactReach& a, const ContactReach& b);
-
-/// The time before which two bodies that are at least `distance` [m] apart cannot touch [ns]. It
-/// may be up to 1 us too early. Nothing if they cannot touch before `end`.
-std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,
-                                            double distance, std::int64_t end);
 
 }  // namespace link_bounds

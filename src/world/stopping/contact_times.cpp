@@ -34,9 +34,7 @@ class Contacts {
   }
 
   /// Whether the distance of two bodies can change.
-  bool canMeet(std::size_t a, std::size_t b) const {
-    return link_bounds::canMeet(reaches_[a], reaches_[b]);
-  }
+  bool canMeet(std::size_t a, std::size_t b) const { return reaches_[a].canMeet(reaches_[b]); }
 
   /// Adds the pairs that were measured.
   void add(const ComputedDistances& computed) {
@@ -73,7 +71,7 @@ class Contacts {
       const bool is_far = complete_[pair.first] && complete_[pair.second];
       const double distance = std::max(pair.distance, is_far ? limit_ : 0);
       const auto time =
-          earliestContact(reaches_[pair.first], reaches_[pair.second], distance, first_);
+          reaches_[pair.first].earliestContact(reaches_[pair.second], distance, first_);
       if (!time || (*time >= first_ && earliest)) continue;
       earliest = {pair.first, pair.second, distance, *time};
       first_ = std::min(first_, *time);
@@ -106,7 +104,7 @@ class Contacts {
 
   void add(std::size_t a, std::size_t b, double distance) {
     measured_.insert({a, b});
-    const auto time = earliestContact(reaches_[a], reaches_[b], distance, end_);
+    const auto time = reaches_[a].earliestContact(reaches_[b], distance, end_);
     if (!time) return;
     found_.push_back({a, b, distance, *time});
     first_ = std::min(first_, *time);
