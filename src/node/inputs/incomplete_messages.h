@@ -4,6 +4,7 @@
 // Received is the type for subscribers and services; IncompleteMessages checks and logs.
 #pragma once
 
+#include <ros/console.h>
 #include <ros/message_event.h>
 #include <ros/message_traits.h>
 #include <ros/node_handle.h>
@@ -34,6 +35,9 @@ ros::Subscriber subscribeReceived(ros::NodeHandle& node, const std::string& topi
       topic, queue, std::move(take), {}, ros::TransportHints().tcpNoDelay());
 }
 
+/// The reason for the log and for a response.
+constexpr const char* kIncompleteMessage = "it is shorter than it says; correct its sender";
+
 /// Not thread-safe.
 class IncompleteMessages {
  public:
@@ -47,12 +51,13 @@ class IncompleteMessages {
   }
 
  private:
-  void log(const std::string& topic, const std::string& sender);
+  void log(const std::string& topic, const std::string& sender) {
+    const auto line = log_.line(topic, kIncompleteMessage, sender, ros::SteadyTime::now());
+    if (line) ROS_WARN_STREAM(*line);
+  }
 
   RefusalLog log_{"a message on", "messages on further topics"};
 };
-
-extern const char* const kIncompleteMessage;  ///< the reason for the log and for a response
 
 }  // namespace link_bounds
 
