@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts the node.
 #include "node/interface/command_line.h"
-#include "node/interface/usage.h"
 #include "node/master/node_program.h"
 #include "node/publisher_node.h"
 #include "node/upkeep/heap.h"

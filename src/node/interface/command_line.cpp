@@ -11,6 +11,7 @@
 
 #include "node/interface/parameter_table.h"
 #include "node/interface/topics.h"
+#include "node/interface/usage.h"
 
 namespace link_bounds {
 namespace {
@@ -114,6 +115,17 @@ NodeTables publisherTables() {
   for (const TopicName& service : kServices)
     tables.topics.emplace_back(service.name);
   return tables;
+}
+
+std::string usage() {
+  const Parameters defaults;
+  return "usage: rosrun link_bounds link_bounds_publisher [_PARAMETER:=VALUE ...] [--help] "
+         "[--version]\n\n"
+         "_PARAMETER:=VALUE sets strings, numbers, true and false. Set lists and maps by rosparam\n"
+         "or in a launch file.\n\n"
+         "Publishes the exact axis-aligned bounding box of every link of the robot, in one fixed\n"
+         "frame, at each tf update.\n\n" +
+         interfaceTables(kTopics, kServices, [&](auto& rows) { visitParameters(defaults, rows); });
 }
 
 CommandLine readCommandLine(int argc, const char* const* argv, const NodeTables& tables) {

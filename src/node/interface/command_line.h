@@ -28,6 +28,9 @@ struct NodeTables {
 /// The tables of link_bounds_publisher.
 NodeTables publisherTables();
 
+/// The text of --help of link_bounds_publisher.
+std::string usage();
+
 struct CommandLine {
   bool help = false;     ///< print the usage and end
   bool version = false;  ///< print the version and end

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of --help.
+// The tables in the text of --help.
 #pragma once
 
 #include <sstream>
@@ -34,8 +34,5 @@ std::string interfaceTables(const Topics& topics, const Services& services,
   visit_parameters(rows);
   return text.str();
 }
-
-/// The text of --help of link_bounds_publisher.
-std::string usage();
 
 }  // namespace link_bounds
