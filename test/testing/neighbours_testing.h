@@ -11,6 +11,7 @@
 #include "link_bounds/ros/messages.h"
 #include "testing/live_objects_testing.h"
 #include "testing/marker_testing.h"
+#include "world/bodies/neighbour_sets.h"
 #include "world/bodies/object_source.h"
 
 namespace link_bounds {
@@ -41,7 +42,7 @@ inline AxisAlignedBoxArray arrayOf(const std::string& frame,
 class NeighboursTest : public LiveObjectsTest {
  protected:
   bool take(const AxisAlignedBoxArray& array, const std::string& sender = "/right/bounds") {
-    return source_.takeNeighbour(array, {sender}, now_);
+    return neighbours_.take(array, {sender}, now_);
   }
 
   bool takeMarker(int action, const ObjectKey& key = kKey,
@@ -71,6 +72,7 @@ class NeighboursTest : public LiveObjectsTest {
   const LiveObject& arm() const { return *find("/right/bounds/arm"); }
 
   ObjectSource source_{objects_, [](const MeshRequest&) {}};
+  NeighbourSets neighbours_{objects_};
 };
 
 }  // namespace link_bounds

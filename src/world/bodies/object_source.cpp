@@ -128,7 +128,6 @@ void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
 
 bool ObjectSource::reloadMeshes(const Points& unchanged, ros::Time now) {
   marker_log_.forget();
-  neighbours_.forgetLog();
   mesh_log_.forget();
   std::map<std::string, MeshUse> uses;
   for (const auto& [key, object] : objects_.objects()) {

@@ -3,7 +3,6 @@
 // Turns markers of any publisher into objects: adds, replaces, deletes, refuses or ignores them.
 #pragma once
 
-#include <link_bounds/AxisAlignedBoxArray.h>
 #include <visualization_msgs/Marker.h>
 
 #include <cstdint>
@@ -14,7 +13,6 @@
 
 #include "robot/mesh/erase_dead.h"
 #include "world/bodies/live_objects.h"
-#include "world/bodies/neighbour_sets.h"
 #include "world/log/refusal_log.h"
 
 namespace link_bounds {
@@ -43,17 +41,6 @@ class ObjectSource {
 
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
-
-  /// Takes a message on ~boxes of another node.
-  bool takeNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender,
-                     ros::Time now) {
-    return neighbours_.take(boxes, sender, now);
-  }
-
-  /// To be called now and then: removes the boxes of nodes that have ended.
-  bool removeEndedNeighbours(ros::SteadyTime now, const HasLeft& has_left) {
-    return neighbours_.removeEnded(now, has_left);
-  }
 
   /// Ignores answers to any but the last request for a mesh: the file may have changed since.
   bool fillMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now);
@@ -86,7 +73,6 @@ class ObjectSource {
   void request(const std::string& uri, Mesh& mesh);
 
   LiveObjects& objects_;
-  NeighbourSets neighbours_{objects_};
   std::function<void(const MeshRequest&)> request_mesh_;
   std::uint64_t requests_ = 0;
   /// Names that nobody uses are forgotten now and then: a publisher may send any number of them.

@@ -18,6 +18,7 @@ void SceneFeed::adopt(std::shared_ptr<const Model> model, ros::Time now) {
   tf_.distrustStampsAhead(now);
   input_.forgetLog();
   scene_.adopt(model, now);
+  neighbours_.forgetLog();
   object_source_.reloadMeshes(model->object_meshes, now);
 }
 
@@ -63,7 +64,7 @@ void SceneFeed::onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSen
                             ros::Time now) {
   observeClock(now);
   updatePoses(now);
-  taken(object_source_.takeNeighbour(boxes, sender, now), now);
+  taken(neighbours_.take(boxes, sender, now), now);
 }
 
 void SceneFeed::onMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::Time now) {
@@ -73,8 +74,7 @@ void SceneFeed::onMesh(const MeshRequest& request, const LoadedMesh& mesh, ros::
 void SceneFeed::onTick(ros::Time now) {
   observeClock(now);
   update(now);
-  const bool has_ended =
-      object_source_.removeEndedNeighbours(ros::SteadyTime::now(), handlers_.has_left);
+  const bool has_ended = neighbours_.removeEnded(ros::SteadyTime::now(), handlers_.has_left);
   const bool is_changed = scene_.expire(now) || has_ended;
   object_source_.warnOfGivenUp(now);
   if (is_changed) onNews();

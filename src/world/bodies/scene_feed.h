@@ -4,6 +4,7 @@
 // that the same messages give the same boxes.
 #pragma once
 
+#include <link_bounds/AxisAlignedBoxArray.h>
 #include <visualization_msgs/Marker.h>
 
 #include <functional>
@@ -11,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "world/bodies/neighbour_sets.h"
 #include "world/bodies/object_source.h"
 #include "world/bodies/scene.h"
 #include "world/log/repeat_log.h"
@@ -92,6 +94,7 @@ class SceneFeed {
   Scene scene_{tf_};
   TransformInput input_;
   ObjectSource object_source_;
+  NeighbourSets neighbours_{scene_.objects};
   ClockWatch clock_;
   RepeatLog jump_log_;
   bool joins_ = false;

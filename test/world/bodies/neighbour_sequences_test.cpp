@@ -159,7 +159,7 @@ class NeighbourSequencesTest : public NeighboursTest {
     std::shuffle(array.boxes.begin(), array.boxes.end(), random_);
     left_.erase(sender);
     connections_.try_emplace(sender, boost::make_shared<int>());
-    source_.takeNeighbour(array, {sender, connections_[sender]}, now_);
+    neighbours_.take(array, {sender, connections_[sender]}, now_);
   }
 
   /// Of what was sent before the last start, nothing stays.
@@ -227,8 +227,8 @@ class NeighbourSequencesTest : public NeighboursTest {
 
   void endSenders(double seconds) {
     wall_ += ros::WallDuration(seconds);
-    source_.removeEndedNeighbours(
-        wall_, [this](const std::string& name) { return left_.count(name) > 0; });
+    neighbours_.removeEnded(wall_,
+                            [this](const std::string& name) { return left_.count(name) > 0; });
     sets_.remove_if([](const ModelSet& set) { return set.things.empty(); });
   }
 

@@ -32,13 +32,13 @@ class NeighbourSetsTest : public NeighboursTest {
   }
 
   bool takeFrom(const boost::shared_ptr<int>& connection, const AxisAlignedBoxArray& array) {
-    return source_.takeNeighbour(array, {"/right/bounds", connection}, now_);
+    return neighbours_.take(array, {"/right/bounds", connection}, now_);
   }
 
   /// After so much wall time [s].
   bool removeEnded(double seconds) {
     const auto has_left = [this](const std::string&) { return has_left_; };
-    return source_.removeEndedNeighbours(ros::SteadyTime(1000 + seconds), has_left);
+    return neighbours_.removeEnded(ros::SteadyTime(1000 + seconds), has_left);
   }
 
   bool has_left_ = true;  ///< in order, who has lost its connection
