@@ -27,7 +27,7 @@ struct DistanceHealth {
   std::size_t left_out = 0;         ///< pairs beyond max_pairs
   std::optional<Distance> nearest;  ///< none before the first ~distances
   double behind = 0;                ///< see DistanceThread::behind() [s]
-  DistanceTimes times;              ///< since the last call
+  Durations times;                  ///< since the last call
   std::vector<std::string> errors;  ///< of meshes and lists without triangles
 };
 

@@ -43,7 +43,7 @@ void DistanceThread::give(MadeTree tree) {
   });
 }
 
-DistanceTimes DistanceThread::takeTimes() {
+Durations DistanceThread::takeTimes() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(times_, {});
 }
@@ -89,9 +89,7 @@ void DistanceThread::compute() {
   const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    ++times_.count;
-    times_.sum_ms += ms;
-    times_.max_ms = std::max(times_.max_ms, ms);
+    times_.add(ms);
     errors_ = distances_.trees().errors();
   }
   callbacks_.publish(*std::move(result));

@@ -10,17 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "node/threads/callback_times.h"
 #include "node/threads/worker.h"
 #include "world/moment/scene_distances.h"
 
 namespace link_bounds {
-
-/// How long computations took.
-struct DistanceTimes {
-  std::size_t count = 0;  ///< computations since the last call
-  double max_ms = 0;      ///< the longest of them
-  double sum_ms = 0;
-};
 
 class DistanceThread {
  public:
@@ -48,7 +42,8 @@ class DistanceThread {
   /// Ends the thread. Moments and trees that are given later are ignored.
   void stop() { worker_.stop(); }
 
-  DistanceTimes takeTimes();
+  /// How long the computations since the last call took.
+  Durations takeTimes();
 
   /// How long the oldest unpublished moment has been waiting [s]; 0 if there is none.
   double behind() const;
@@ -82,7 +77,7 @@ class DistanceThread {
   std::atomic<Time> published_begin_{Time()};    ///< when its computation began
   std::atomic<Time> unpublished_since_{Time()};  ///< since when given_ > published_, or earlier
   mutable std::mutex mutex_;
-  DistanceTimes times_;              ///< guarded by mutex_
+  Durations times_;                  ///< guarded by mutex_
   std::vector<std::string> errors_;  ///< guarded by mutex_
   Worker worker_;                    ///< last: it ends before the members above
 };

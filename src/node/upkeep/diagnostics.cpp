@@ -155,9 +155,9 @@ void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus
   add(status, "without triangles", health.errors.empty() ? "none" : joined(health.errors, "; "));
   add(status, "distances per second", std::to_string(count / seconds));
   add(status, "time per distances, mean of the last second [ms]",
-      text(count > 0, health.times.sum_ms / count));
+      text(count > 0, health.times.mean()));
   add(status, "time per distances, maximum of the last second [ms]",
-      text(count > 0, health.times.max_ms));
+      text(count > 0, health.times.max));
   add(status, "distances behind boxes [s]", std::to_string(health.behind));
 }
 

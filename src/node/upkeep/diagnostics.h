@@ -12,7 +12,7 @@
 #include <string>
 
 #include "node/outputs/distance_output.h"
-#include "node/upkeep/callback_times.h"
+#include "node/threads/callback_times.h"
 #include "world/bodies/scene.h"
 #include "world/tf/transform_input.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Wall time comes from the steady clock, CPU time from the CPU clock of the calling thread.
-#include "node/upkeep/callback_times.h"
+#include "node/threads/callback_times.h"
 
 #include <time.h>
 

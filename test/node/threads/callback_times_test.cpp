@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is recorded of callbacks that wait, work, or throw.
-#include "node/upkeep/callback_times.h"
+#include "node/threads/callback_times.h"
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,10 @@
 
 namespace link_bounds {
 
-/// Wall time of callbacks [ms].
+/// Wall time of callbacks or computations [ms].
 struct Durations {
   void add(double duration);
-  /// 0 if there were no callbacks.
+  /// 0 if there were none.
   double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
 
   std::uint64_t count = 0;
