@@ -149,7 +149,7 @@ class JointRecording {
     if (before_) fresh.of(before_->message, before_->stamp);
     fresh.of(message, stamp_);
     losses_ += lossesOf(fresh);
-    before_ = Sent{message, stamp_};
+    if (!before_ || stamp_ > before_->stamp) before_ = Sent{message, stamp_};
     EXPECT_EQ(lossesOf(transforms_), losses_);
   }
 
