@@ -13,7 +13,6 @@
 #include "robot/pairs/srdf.h"
 #include "robot/posed/robot_path.h"
 #include "robot/threads/row_threads.h"
-#include "robot/urdf/joints_above.h"
 #include "robot/urdf/limit_warnings.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
@@ -50,10 +49,7 @@ std::string whyNone(const SharedRobot& shared, const std::vector<JointRange>& ra
                     std::size_t link) {
   const BoundedLink& bounded = shared.bounded().links[link];
   if (!bounded.isWhole()) return bounded.missing;
-  const std::vector<std::size_t> unknown =
-      unknownOf(ranges, jointsAbove(shared.robot(), shared.bounded().indices[link]));
-  return unknown.empty() ? "its size and pose give no finite box"
-                         : missingRanges(shared.robot(), unknown);
+  return whyNoReach(shared.robot(), shared.bounded(), ranges, link);
 }
 
 void warnOfGap(double max_gap, double accuracy) {

@@ -22,6 +22,9 @@ namespace {
 /// Max steps for one segment: a search that takes more ends undecided.
 constexpr std::size_t kMaxSteps = 200'000;
 
+/// Max shares of a segment whose joint values are kept.
+constexpr std::size_t kMaxKeptShares = 10'000;
+
 /// Beyond any robot [m].
 constexpr double kFarthest = 1e9;
 
@@ -133,9 +136,10 @@ class PathProver::Search {
     }
   }
 
-  /// The values of all joints at that share. Kept, because intervals of many pairs have the same
-  /// middle.
+  /// The values of all joints at that share, until the next call. Kept, because intervals of many
+  /// pairs have the same middle.
   const std::vector<double>& valuesAt(double share) {
+    if (values_.size() >= kMaxKeptShares) values_.clear();
     const auto [entry, is_new] = values_.try_emplace(share);
     if (is_new) entry->second = motion_->at(share);
     return entry->second;

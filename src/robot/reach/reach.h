@@ -51,6 +51,11 @@ std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot
                                           const std::vector<JointRange>& ranges,
                                           const ReachGoal& goal);
 
+/// Why reachOf() gives nothing for a link that has geometry and lacks none: the ranges that are
+/// missing, with the remedy, or a size and pose that give no finite box.
+std::string whyNoReach(const Robot& robot, const BoundedRobot& bounded,
+                       const std::vector<JointRange>& ranges, std::size_t link);
+
 /// The box around all reaches, which the robot never leaves; nothing if there are none.
 std::optional<Reach> unionOf(const std::vector<std::optional<Reach>>& reaches);
 

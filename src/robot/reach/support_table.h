@@ -44,6 +44,24 @@ class SupportTable {
   std::vector<double> supports_;
 };
 
+/// Sorted by face, then by the axis after that of the face, then by the one after that.
+inline std::vector<Eigen::Vector3d> SupportTable::directions(int cells) {
+  std::vector<Eigen::Vector3d> result;
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face / 2;
+    Eigen::Vector3d direction;
+    direction[axis] = face % 2 == 0 ? 1 : -1;
+    for (int i = 0; i <= cells; ++i) {
+      direction[(axis + 1) % 3] = 2.0 * i / cells - 1;
+      for (int j = 0; j <= cells; ++j) {
+        direction[(axis + 2) % 3] = 2.0 * j / cells - 1;
+        result.push_back(direction);
+      }
+    }
+  }
+  return result;
+}
+
 inline double SupportTable::at(const Eigen::Vector3d& direction) const {
   const double x = std::abs(direction.x());
   const double y = std::abs(direction.y());

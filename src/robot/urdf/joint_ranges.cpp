@@ -140,15 +140,6 @@ Limits oneTurn(const Limits& range) {
 
 }  // namespace
 
-std::vector<std::size_t> unknownOf(const std::vector<JointRange>& ranges,
-                                   const std::vector<std::size_t>& joints) {
-  std::vector<std::size_t> result;
-  for (const std::size_t joint : joints) {
-    if (!ranges[joint].is_known) result.push_back(joint);
-  }
-  return result;
-}
-
 std::vector<Lead> leadsOf(const Robot& robot) {
   JointIndex index;
   for (std::size_t i = 0; i < robot.joints.size(); ++i)

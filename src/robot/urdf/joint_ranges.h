@@ -41,10 +41,6 @@ struct JointRange {
 /// The ranges that the user gives [rad or m], by joint; a fixed value has lower == upper.
 using GivenRanges = std::map<std::string, Limits>;
 
-/// Those of `joints` whose range is not known.
-std::vector<std::size_t> unknownOf(const std::vector<JointRange>& ranges,
-                                   const std::vector<std::size_t>& joints);
-
 /// One range per joint of the robot. A given range replaces the limits of the URDF and may exceed
 /// them. A continuous joint takes every angle. Mimic joints follow; their own limits, and ranges
 /// given for them, are ignored. Fixed joints stay at 0. Of a floating or planar joint nothing is

@@ -20,30 +20,19 @@ namespace {
 
 using LinkIndex = std::unordered_map<std::string, std::size_t>;
 
-/// Cuts the links apart. Otherwise freeing a chain of 20,000 links, each of which owns the next,
-/// overflows the stack.
-void dismantle(urdf::ModelInterface& model) {
-  for (auto& [name, link] : model.links_) {
-    link->child_links.clear();
-    link->child_joints.clear();
-    link->parent_joint.reset();
-  }
-}
+/// Cuts the links apart at the end. Otherwise freeing a chain of 20,000 links, each of which owns
+/// the next, overflows the stack.
+struct Dismantled {
+  urdf::ModelInterfaceSharedPtr model;
 
-/// Frees a model without recursion.
-class ModelHolder {
- public:
-  explicit ModelHolder(urdf::ModelInterfaceSharedPtr model) : model_(std::move(model)) {}
-  ~ModelHolder() {
-    if (model_) dismantle(*model_);
+  ~Dismantled() {
+    if (!model) return;
+    for (auto& [name, link] : model->links_) {
+      link->child_links.clear();
+      link->child_joints.clear();
+      link->parent_joint.reset();
+    }
   }
-  ModelHolder(const ModelHolder&) = delete;
-  ModelHolder& operator=(const ModelHolder&) = delete;
-  explicit operator bool() const { return model_ != nullptr; }
-  const urdf::ModelInterface& operator*() const { return *model_; }
-
- private:
-  urdf::ModelInterfaceSharedPtr model_;
 };
 
 /// Why urdfdom cannot parse the element alone, in a robot with one link; "" if it can.
@@ -269,7 +258,8 @@ Robot parseRobot(const std::string& urdf) {
   if (isBlank(urdf)) throw RobotError("the robot description is empty");
   const RobotOutline outline = outlineOf(urdf);
   const UrdfLog log(urdf);
-  const ModelHolder model(readByUrdfdom(urdf));
+  const Dismantled holder{readByUrdfdom(urdf)};
+  const urdf::ModelInterfaceSharedPtr& model = holder.model;
   if (!model) throw RobotError(refusalOf(urdf, log));
   Robot robot;
   for (const std::string& warning : {xacroWarning(urdf), secondRobotWarning(urdf)})

@@ -99,35 +99,35 @@ class Primitives {
   }
 
   void checkFloats(const Json& primitive, const std::string& mesh) const {
-    const Json& positions = accessor(primitive["attributes"]["POSITION"].text);
+    const Json& positions = at(document_["accessors"], primitive["attributes"]["POSITION"].text);
     if (!positions.members.empty() && positions["componentType"].text != kFloat)
       throw MeshError("positions of " + mesh +
                       " are no floats, which assimp misreads; store floats");
   }
 
  private:
-  const Json& accessor(const std::string& name) const {
-    const Json& all = document_["accessors"];
+  /// Looks where it is without a search: there may be a hundred thousand of them.
+  static const Json& at(const Json& all, const std::string& name) {
     const std::size_t number = countOf(name);
     const bool is_at = number < all.members.size() && all.members[number].first == name;
     return is_at ? all.members[number].second : all[name];
   }
 
   void checkPositions(const std::string& name, const std::string& mesh) const {
-    const Json& positions = accessor(name);
+    const Json& positions = at(document_["accessors"], name);
     if (positions.members.empty()) return;  // assimp refuses that
     if (positions["type"].text != "VEC3")
       throw MeshError("positions of " + mesh + " are of the type " +
                       inQuotes(positions["type"].text) + ", not VEC3");
     const std::string& stride =
-        document_["bufferViews"][positions["bufferView"].text]["byteStride"].text;
+        at(document_["bufferViews"], positions["bufferView"].text)["byteStride"].text;
     const double bytes = std::strtod(stride.c_str(), nullptr);
     if (bytes != 0 && !(bytes >= kSizeOfPosition))
       throw MeshError("positions of " + mesh + " have a byteStride below 12");
   }
 
   void checkIndices(const std::string& name, const std::string& mesh) const {
-    const Json& indices = accessor(name);
+    const Json& indices = at(document_["accessors"], name);
     if (indices.members.empty()) return;  // assimp refuses that
     const std::string& component = indices["componentType"].text;
     const auto& types = kTypesOfIndices;

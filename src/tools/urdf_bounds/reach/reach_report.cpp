@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "robot/reach/reach.h"
-#include "robot/urdf/joints_above.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
@@ -143,12 +142,6 @@ ReachGoal goalOf(const UrdfBoundsOptions& options) {
   return goal;
 }
 
-/// Why a link with geometry has no reach.
-std::string whyNone(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t link) {
-  const std::vector<std::size_t> unknown = unknownOf(ranges, jointsAbove(robot, link));
-  return unknown.empty() ? "its size and pose give no finite box" : missingRanges(robot, unknown);
-}
-
 ReachTable tableOf(const Robot& robot, const BoundedRobot& bounded,
                    const std::vector<JointRange>& ranges,
                    const std::vector<std::optional<Reach>>& reaches) {
@@ -159,7 +152,7 @@ ReachTable tableOf(const Robot& robot, const BoundedRobot& bounded,
     if (!link.isWhole()) {
       table.incomplete.emplace_back(link.name, link.missing);
     } else if (!reaches[i]) {
-      table.incomplete.emplace_back(link.name, whyNone(robot, ranges, bounded.indices[i]));
+      table.incomplete.emplace_back(link.name, whyNoReach(robot, bounded, ranges, i));
       warn("link \"" + link.name + "\": " + table.incomplete.back().second);
     }
   }
