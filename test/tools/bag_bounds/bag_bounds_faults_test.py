@@ -47,6 +47,8 @@ class ArgumentsTest(BagBoundsTest):
     def test_refused_arguments(self):
         bag = self.bag(arms(3))
         good = (bag, '--urdf', self.urdf)
+        link = os.path.join(os.path.dirname(bag), 'link.bag')
+        os.symlink(bag, link)
         for reason, *arguments in (
                 ('no bag is given', '--urdf', self.urdf),
                 ('no robot is given; add --urdf', bag),
@@ -56,6 +58,8 @@ class ArgumentsTest(BagBoundsTest):
                 ('--help=3: this option takes no value', '--help=3'),
                 ('--geometry is "all", but must be one of: both, collision, visual', *good,
                  '--geometry', 'all'),
+                ('.bag: is given twice; give each bag once', *good, bag),
+                ('link.bag: is given twice; give each bag once', *good, link),
                 ('--zones is given twice', *good, '--zones', 'a', '--zones', 'b'),
                 ('--static-from is given twice', *good, *('--static-from', bag) * 2),
                 ('--format is given twice', *good, '--format', 'csv', '--format', 'csv'),

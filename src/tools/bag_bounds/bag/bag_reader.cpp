@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "tools/bag_bounds/bag/bag_file.h"
@@ -25,17 +24,11 @@ BagReader::BagReader(const std::vector<std::string>& files, const std::set<std::
     was_interrupted_ |= is_interrupted();
     return was_interrupted_;
   };
-  std::vector<const FileBytes*> opened;
   for (const std::string& name : files) {
-    auto bytes = std::make_unique<FileBytes>(name);
-    for (const FileBytes* other : opened)
-      if (bytes->isSame(*other))
-        throw std::runtime_error(name + ": is given twice; give each bag once");
-    opened.push_back(bytes.get());
-    sources_.push_back(
-        {std::make_unique<BagFile>(name, std::move(bytes), topics_, losses_, *threads_, interrupts),
-         {},
-         false});
+    sources_.push_back({std::make_unique<BagFile>(name, std::make_unique<FileBytes>(name), topics_,
+                                                  losses_, *threads_, interrupts),
+                        {},
+                        false});
   }
 }
 

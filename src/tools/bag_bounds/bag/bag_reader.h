@@ -36,9 +36,9 @@ class ChunkThreads;
 class BagReader {
  public:
   /// Reads only messages of `topics`; of all topics if there are none. Throws std::runtime_error if
-  /// a file cannot be read at all, or is given twice. `is_interrupted` is called regularly while
-  /// next() searches for a message, also within a compressed chunk; true ends the reading.
-  /// `threads` unpack compressed chunks; the messages do not depend on their number.
+  /// a file cannot be read at all. `is_interrupted` is called regularly while next() searches for a
+  /// message, also within a compressed chunk; true ends the reading. `threads` unpack compressed
+  /// chunks; the messages do not depend on their number.
   BagReader(
       const std::vector<std::string>& files, const std::set<std::string>& topics,
       const std::function<bool()>& is_interrupted = [] { return false; }, unsigned threads = 1);

@@ -12,7 +12,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -33,7 +32,7 @@ namespace link_bounds {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Shares = std::atomic<double>;  // the share of each bag that has been read, 0 to 1
+using Share = std::atomic<double>;  // the share of each bag that has been read, 0 to 1
 
 constexpr int kPollPause = 100;  // ms between looks at interrupts and progress
 constexpr int kCodeBits = 3;     // bits of an exit code; the process of a bag returns two codes
@@ -55,26 +54,13 @@ bool writeAll(int file, const std::string& text) {
   return true;
 }
 
-/// Numbers that processes share with their parent: one for each bag.
-class SharedNumbers {
- public:
-  explicit SharedNumbers(std::size_t count)
-      : bytes_(std::max<std::size_t>(count, 1) * sizeof(Shares)) {
-    void* const memory =
-        mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) failed("cannot share memory");
-    numbers_ = new (memory) Shares[count]();
-  }
-  ~SharedNumbers() { munmap(numbers_, bytes_); }
-  SharedNumbers(const SharedNumbers&) = delete;
-  SharedNumbers& operator=(const SharedNumbers&) = delete;
-
-  Shares& operator[](std::size_t i) { return numbers_[i]; }
-
- private:
-  std::size_t bytes_;
-  Shares* numbers_;
-};
+/// Zeros that processes share with their parent, until the program ends: one for each bag.
+Share* sharedZeros(std::size_t count) {
+  void* const memory = mmap(nullptr, count * sizeof(Share), PROT_READ | PROT_WRITE,
+                            MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) failed("cannot share memory");
+  return new (memory) Share[count]();
+}
 
 /// A process that reads a bag.
 struct Reading {
@@ -101,7 +87,7 @@ class EachBag {
       : options_(options),
         question_(question),
         fingerprint_(question.fingerprint()),
-        shares_(options.bags.size()) {
+        shares_(sharedZeros(options.bags.size())) {
     for (const std::string& bag : options.bags)
       bags_.push_back(identityOf(bag));
     resume();
@@ -142,7 +128,7 @@ class EachBag {
   const std::string fingerprint_;
   std::vector<BagIdentity> bags_;
   std::vector<double> bytes_;  ///< bytes to be read, by bag
-  SharedNumbers shares_;
+  Share* const shares_;
   std::list<std::size_t> waiting_;
   std::list<Reading> readings_;
   std::size_t resumed_ = 0;

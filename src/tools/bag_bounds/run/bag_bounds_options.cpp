@@ -179,7 +179,6 @@ void checkEach(const BagBoundsOptions& options) {
     if (validUtf8(bag) != bag)
       throw UsageError(bag +
                        ": the name is not UTF-8, which lines of JSON must be; rename the bag");
-  checkBagsOnce(options.bags);
 }
 
 void checkMerge(const BagBoundsOptions& options) {
@@ -209,6 +208,7 @@ void check(const BagBoundsOptions& options) {
   if (options.each) checkEach(options);
   if (!options.each && !options.resume.empty()) throw UsageError("--resume needs --each");
   if (options.bags.empty()) throw UsageError("no bag is given");
+  checkBagsOnce(options.bags);
   checkObjects(options);
   if (options.urdf.empty()) throw UsageError("no robot is given; add --urdf FILE");
   if (options.end && *options.end < options.start)

@@ -45,33 +45,16 @@ bool isCounted(const std::string& option_name) {
 }
 
 /// A fingerprint of items of numbers that does not depend on their order.
-class SumOfItems {
- public:
-  template <class Item>
-  void add(const Item& item) {
+template <class ItemAt>
+std::string sumOf(std::size_t count, const ItemAt& itemAt) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto item = itemAt(i);
     Fingerprint numbers;
     numbers.add({reinterpret_cast<const char*>(&item), sizeof item});
-    sum_ += numbers.value();
+    sum += numbers.value();
   }
-
-  std::string text() const { return std::to_string(sum_); }
-
- private:
-  std::uint64_t sum_ = 0;
-};
-
-std::string sumOf(const PointSet& points) {
-  SumOfItems sum;
-  for (const Eigen::Vector3d& point : points.keptPoints())
-    sum.add(point);
-  return sum.text();
-}
-
-std::string sumOf(const TriangleTree& tree) {
-  SumOfItems sum;
-  for (std::size_t i = 0; i < tree.triangles.size(); ++i)
-    sum.add(tree.corners(i));
-  return sum.text();
+  return std::to_string(sum);
 }
 
 }  // namespace
@@ -141,10 +124,13 @@ std::string BagQuestion::fingerprint() const {
   for (const auto& [uri, points] : model_->mesh_uris) {
     result.add(uri);
     add_file(resolveMeshUri(uri, mesh_source_.package_path, mesh_source_.base_folder).path);
-    result.add(sumOf(*points));
+    const std::vector<Eigen::Vector3d> kept = points->keptPoints();
+    result.add(sumOf(kept.size(), [&](std::size_t i) -> Eigen::Vector3d { return kept[i]; }));
   }
-  for (const auto& [uri, tree] : trees_)
-    if (tree.triangles) result.add(sumOf(*tree.triangles));
+  for (const auto& [uri, loaded] : trees_) {
+    if (const auto& tree = loaded.triangles)
+      result.add(sumOf(tree->triangles.size(), [&](std::size_t i) { return tree->corners(i); }));
+  }
   for (const auto& [name, values] : options_.given) {
     if (!isCounted(name)) continue;
     result.add(name);

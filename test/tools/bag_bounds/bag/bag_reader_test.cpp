@@ -164,14 +164,6 @@ TEST(BagReader, SaysHowToDecryptABag) {
             folder / "a.bag: is encrypted; decrypt it: rosbag decrypt FILE.bag");
 }
 
-TEST(BagReader, RefusesAFileThatIsGivenTwice) {
-  const TemporaryFolder folder;
-  writeBag(folder / "a.bag", {});
-  std::filesystem::create_symlink(folder / "a.bag", folder / "b.bag");
-  EXPECT_EQ(refusal({folder / "a.bag", folder / "b.bag"}),
-            folder / "b.bag: is given twice; give each bag once");
-}
-
 TEST(BagWriter, SaysThatAFileCannotBeWritten) {
   const TemporaryFolder folder;
   EXPECT_THROW(BagWriter(folder / "absent/a.bag"), std::runtime_error);

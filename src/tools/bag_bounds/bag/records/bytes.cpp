@@ -28,16 +28,10 @@ FileBytes::FileBytes(const std::string& name)
     throw std::runtime_error(name + ": is not an ordinary file");
   }
   size_ = static_cast<std::uint64_t>(state.st_size);
-  device_ = state.st_dev;
-  number_ = state.st_ino;
 }
 
 FileBytes::~FileBytes() {
   close(file_);
-}
-
-bool FileBytes::isSame(const FileBytes& other) const {
-  return device_ == other.device_ && number_ == other.number_;
 }
 
 const std::uint8_t* FileBytes::at(std::uint64_t offset, std::size_t size) {

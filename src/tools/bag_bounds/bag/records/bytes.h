@@ -36,16 +36,11 @@ class FileBytes : public Bytes {
   const std::uint8_t* at(std::uint64_t offset, std::size_t size) override;
   std::uint64_t size() const override { return size_; }
 
-  /// Whether both are one file, whatever their names.
-  bool isSame(const FileBytes& other) const;
-
  private:
   void load(std::uint64_t offset, std::size_t size);
 
   int file_;
   std::uint64_t size_;
-  std::uint64_t device_;
-  std::uint64_t number_;
   std::uint64_t begin_ = 0;  ///< of the block in memory
   std::size_t loaded_ = 0;
   std::vector<std::uint8_t> block_;
