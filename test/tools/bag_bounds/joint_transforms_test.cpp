@@ -60,14 +60,15 @@ std::vector<TransformView> ofLink(const std::vector<TransformView>& views, const
   return result;
 }
 
-bool areSameViews(const TransformView& a, const TransformView& b) {
-  return a.stamp == b.stamp && a.parent == b.parent &&
-         a.parent_from_child.numbers == b.parent_from_child.numbers;
-}
-
 bool isFinite(const TransformView& view) {
   const auto& numbers = view.parent_from_child.numbers;
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+bool areSameViews(const TransformView& a, const TransformView& b) {
+  return a.stamp == b.stamp && a.parent == b.parent &&
+         (a.parent_from_child.numbers == b.parent_from_child.numbers ||
+          !(isFinite(a) || isFinite(b)));
 }
 
 std::size_t lossesOf(const JointTransforms& transforms) {
