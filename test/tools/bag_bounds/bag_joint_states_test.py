@@ -88,6 +88,23 @@ class JointStatesTest(BagBoundsTest):
                 self.report(self.bag(messages), '--zones', zones, '--joint-states', '/joint_states',
                             code=code, err='half a turn or more' if code == INCOMPLETE else '')
 
+    def test_a_turn_after_the_clock_jumped_back(self):
+        """Where the joint was before the jump is no begin of a turn after it."""
+        self.urdf = self.write('arm.urdf', '<robot name="r"><link name="base"/><link name="tip">'
+                               '<visual><origin xyz="1 0 0"/><geometry><box size=".1 .1 .1"/>'
+                               '</geometry></visual></link><joint name="a" type="revolute">'
+                               '<parent link="base"/><child link="tip"/><axis xyz="0 0 1"/>'
+                               '<limit lower="-9" upper="9" effort="1" velocity="9"/></joint></robot>')
+        zones = self.write('zones.yaml', zone_text('door', [-.02, .9, -1], [.02, 1.1, 1]))
+        messages = []
+        for i in [100, *range(20)]:
+            stamp = time_of(BEGIN + i / 10)
+            state = JointState(name=['a'], position=[math.pi * (0 if i < 9 else 1.2)])
+            state.header.stamp = stamp
+            messages.append(('/joint_states', state, stamp))
+        self.report(self.bag(messages), '--zones', zones, '--joint-states', '/joint_states',
+                    code=ENTERED, err='the clock jumped back')
+
     def test_a_mimic_joint_goes_the_way_of_its_leader(self):
         """Whatever its own type: no driver sends its position."""
         joint = ('<joint name="%s" type="%s"><parent link="base"/><child link="%s"/>'
