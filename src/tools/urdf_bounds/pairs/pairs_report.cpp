@@ -83,50 +83,14 @@ void write(const PairsTable& table, const UrdfBoundsOptions& options) {
   if (table.srdf) writeCheck(*table.srdf, table.links, options.as_srdf, std::cerr);
 }
 
-class ProofCertificate {
- public:
-  ProofCertificate(const UrdfBoundsOptions& options, const Robot& robot,
-                   const BoundedRobot& bounded, const std::vector<JointRange>& ranges)
-      : options_(options), robot_(robot), bounded_(bounded), ranges_(ranges) {
-    for (const Body& body : bounded.bodies)
-      bodies_.push_back(pairBody(body));
-  }
-
-  /// Returns false and writes nothing if no tree proves the claim.
-  bool writePair(const PairProof& proof, const std::function<bool()>& is_over,
-                 std::ostream& out) const {
-    const PairClaim claim = claimOf(proof);
-    PairCertificate pair(
-        jointPath(robot_, ranges_, bounded_.indices[proof.first], bounded_.indices[proof.second]),
-        bodies_[proof.first], bodies_[proof.second], claim);
-    std::ostringstream tree;
-    const auto name = [&](std::size_t joint) { return jsonString(robot_.joints[joint].name); };
-    if (!pair.writeTree(is_over, tree)) return false;
-    out << "{\"first\": " << jsonString(bounded_.links[proof.first].name)
-        << ", \"second\": " << jsonString(bounded_.links[proof.second].name) << ", \"verdict\": \""
-        << toText(proof.verdict) << "\", \"distance\": " << exactNumber(claim.distance)
-        << ", \"variables\": [" << joined(pair.path().variables, ", ", name)
-        << "], \"tree\": " << tree.str() << "}\n";
-    return true;
-  }
-
- private:
-  /// A pair that cannot move has one pose, whose contact is measured with the tolerance kTouch.
-  PairClaim claimOf(const PairProof& proof) const {
-    const double goal = options_.clearance.value_or(0);
-    if (proof.verdict == Verdict::kNever)
-      return {false, goal + kClaimed * (proof.clearance - goal)};
-    if (proof.verdict == Verdict::kTouching)
-      return {true, std::max(goal, options_.touching.value_or(kDefaultTouching))};
-    return {true, proof.can_move ? goal : goal + PairGoal::kTouch};
-  }
-
-  const UrdfBoundsOptions& options_;
-  const Robot& robot_;
-  const BoundedRobot& bounded_;
-  const std::vector<JointRange>& ranges_;
-  std::vector<PairBody> bodies_;
-};
+/// A pair that cannot move has one pose, whose contact is measured with the tolerance kTouch.
+PairClaim claimOf(const PairProof& proof, const UrdfBoundsOptions& options) {
+  const double goal = options.clearance.value_or(0);
+  if (proof.verdict == Verdict::kNever) return {false, goal + kClaimed * (proof.clearance - goal)};
+  if (proof.verdict == Verdict::kTouching)
+    return {true, std::max(goal, options.touching.value_or(kDefaultTouching))};
+  return {true, proof.can_move ? goal : goal + PairGoal::kTouch};
+}
 
 bool isProven(Verdict verdict) {
   return verdict == Verdict::kNever || verdict == Verdict::kAlways || verdict == Verdict::kTouching;
@@ -139,15 +103,30 @@ std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robo
                              const BoundedRobot& bounded, const std::vector<JointRange>& ranges,
                              const std::vector<PairProof>& proofs,
                              const std::function<bool()>& is_over, std::ofstream& out) {
-  const ProofCertificate certificate(options, robot, bounded, ranges);
+  std::vector<PairBody> bodies;
+  for (const Body& body : bounded.bodies)
+    bodies.push_back(pairBody(body));
+  const auto name = [&](std::size_t joint) { return jsonString(robot.joints[joint].name); };
+  /// Returns false and writes nothing if no tree proves the claim.
+  const auto write_pair = [&](const PairProof& proof) {
+    const PairClaim claim = claimOf(proof, options);
+    PairCertificate pair(
+        jointPath(robot, ranges, bounded.indices[proof.first], bounded.indices[proof.second]),
+        bodies[proof.first], bodies[proof.second], claim);
+    std::ostringstream tree;
+    if (!pair.writeTree(is_over, tree)) return false;
+    out << "{\"first\": " << jsonString(bounded.links[proof.first].name)
+        << ", \"second\": " << jsonString(bounded.links[proof.second].name) << ", \"verdict\": \""
+        << toText(proof.verdict) << "\", \"distance\": " << exactNumber(claim.distance)
+        << ", \"variables\": [" << joined(pair.path().variables, ", ", name)
+        << "], \"tree\": " << tree.str() << "}\n";
+    return true;
+  };
   std::map<Verdict, std::size_t> left_out;
   std::size_t covered = 0;
   for (const PairProof& proof : proofs) {
-    if (isProven(proof.verdict) && certificate.writePair(proof, is_over, out)) {
-      ++covered;
-    } else {
-      ++left_out[proof.verdict];
-    }
+    const bool is_covered = isProven(proof.verdict) && write_pair(proof);
+    ++(is_covered ? covered : left_out[proof.verdict]);
   }
   endCertificate(options, "pairs", covered, jsonCounts(left_out), out);
   return left_out[Verdict::kNever] + left_out[Verdict::kAlways] + left_out[Verdict::kTouching];

@@ -13,50 +13,17 @@
 namespace link_bounds {
 namespace {
 
-class SegmentCertificate {
- public:
-  SegmentCertificate(double goal, const Robot& robot, const PathBodies& bodies)
-      : goal_(goal), robot_(robot), bodies_(bodies) {
-    for (const PathBody& body : bodies.bodies)
-      shapes_.push_back(pairBody(body.body));
+/// The values of `joints` from the share `middle` - `half` of the motion to `middle` + `half`.
+JointBox boxAround(const JointMotion& motion, const std::vector<std::size_t>& joints, double middle,
+                   double half) {
+  const std::vector<double> values = motion.at(middle);
+  JointBox box;
+  for (const std::size_t joint : joints) {
+    box.center.push_back(values[joint]);
+    box.half_widths.push_back(motion.spread(joint, middle, half));
   }
-
-  /// Returns false and writes nothing if a pair has no tree.
-  bool writeSegment(std::size_t row, const JointMotion& motion, const SegmentProof& proof,
-                    const std::function<bool()>& is_over, std::ostream& out) const {
-    const double distance = goal_ + kClaimed * (proof.clearance - goal_);
-    const std::vector<JointRange> ranges = rangesOf(robot_, motion.ranges());
-    std::ostringstream pairs;
-    for (const auto& [first, second] : bodies_.pairs) {
-      if (shapes_[first].body->shapes.empty() || shapes_[second].body->shapes.empty()) continue;
-      PairCertificate pair(
-          jointPath(robot_, ranges, bodies_.bodies[first].link, bodies_.bodies[second].link),
-          shapes_[first], shapes_[second], {false, distance});
-      const auto box_of = [&](double middle, double half) {
-        const std::vector<double> values = motion.at(middle);
-        JointBox box;
-        for (const std::size_t joint : pair.path().variables) {
-          box.center.push_back(values[joint]);
-          box.half_widths.push_back(motion.spread(joint, middle, half));
-        }
-        return box;
-      };
-      pairs << (pairs.tellp() > 0 ? ", " : "") << "{\"first\": " << jsonString(bodies_.names[first])
-            << ", \"second\": " << jsonString(bodies_.names[second]) << ", \"tree\": ";
-      if (!pair.writeTree(box_of, is_over, pairs)) return false;
-      pairs << "}";
-    }
-    out << "{\"from\": " << row << ", \"to\": " << row + 1
-        << ", \"distance\": " << exactNumber(distance) << ", \"pairs\": [" << pairs.str() << "]}\n";
-    return true;
-  }
-
- private:
-  double goal_;
-  const Robot& robot_;
-  const PathBodies& bodies_;
-  std::vector<PairBody> shapes_;
-};
+  return box;
+}
 
 }  // namespace
 
@@ -64,16 +31,39 @@ std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& 
                                  const PathBodies& bodies, const std::vector<JointMotion>& motions,
                                  const std::vector<SegmentProof>& proofs,
                                  const std::function<bool()>& is_over, std::ofstream& out) {
-  const SegmentCertificate certificate(options.clearance.value_or(0), simple, bodies);
+  const double goal = options.clearance.value_or(0);
+  std::vector<PairBody> shapes;
+  for (const PathBody& body : bodies.bodies)
+    shapes.push_back(pairBody(body.body));
+  /// Returns false and writes nothing if a pair has no tree.
+  const auto write_segment = [&](std::size_t row, const JointMotion& motion, double clearance) {
+    const double distance = goal + kClaimed * (clearance - goal);
+    const std::vector<JointRange> ranges = rangesOf(simple, motion.ranges());
+    std::ostringstream pairs;
+    for (const auto& [first, second] : bodies.pairs) {
+      if (shapes[first].body->shapes.empty() || shapes[second].body->shapes.empty()) continue;
+      PairCertificate pair(
+          jointPath(simple, ranges, bodies.bodies[first].link, bodies.bodies[second].link),
+          shapes[first], shapes[second], {false, distance});
+      const auto box_of = [&](double middle, double half) {
+        return boxAround(motion, pair.path().variables, middle, half);
+      };
+      pairs << (pairs.tellp() > 0 ? ", " : "") << "{\"first\": " << jsonString(bodies.names[first])
+            << ", \"second\": " << jsonString(bodies.names[second]) << ", \"tree\": ";
+      if (!pair.writeTree(box_of, is_over, pairs)) return false;
+      pairs << "}";
+    }
+    out << "{\"from\": " << row << ", \"to\": " << row + 1
+        << ", \"distance\": " << exactNumber(distance) << ", \"pairs\": [" << pairs.str() << "]}\n";
+    return true;
+  };
   std::map<PathVerdict, std::size_t> left_out;
   std::size_t covered = 0;
   for (std::size_t i = 0; i < proofs.size(); ++i) {
-    if (proofs[i].verdict == PathVerdict::kSafe &&
-        certificate.writeSegment(i + 1, motions[i], proofs[i], is_over, out)) {
-      ++covered;
-    } else {
-      ++left_out[proofs[i].verdict];
-    }
+    const PathVerdict verdict = proofs[i].verdict;
+    const bool is_covered =
+        verdict == PathVerdict::kSafe && write_segment(i + 1, motions[i], proofs[i].clearance);
+    ++(is_covered ? covered : left_out[verdict]);
   }
   endCertificate(options, "segments", covered, jsonCounts(left_out), out);
   return left_out[PathVerdict::kSafe];

@@ -30,72 +30,32 @@ struct ProvenBox {
   double slack;
 };
 
-class ReachCertificate {
- public:
-  ReachCertificate(const Robot& robot, const BoundedRobot& bounded,
-                   const std::vector<JointRange>& ranges, double accuracy,
-                   std::function<bool()> is_over)
-      : robot_(robot),
-        bounded_(bounded),
-        ranges_(ranges),
-        accuracy_(accuracy),
-        is_over_(std::move(is_over)),
-        radii_(linkRadii(robot, bounded, ranges)) {}
-
-  /// Returns false and writes nothing if the link cannot be proven.
-  bool write(std::size_t index, const Reach& reach, std::ostream& out) const {
-    BoundedLink link = bounded_.links[index];
-    link.padding = 0;
-    const JointPath chain = jointPath(robot_, ranges_, robot_.root, bounded_.indices[index]);
-    if (chain.joints.size() > kMaxJoints) return false;
-    const double step = kStep * std::max(1.0, radii_[index]);
-    for (int cells = kFirstCells;; cells *= 2) {
-      ReachBound bound(chain, link, radii_[index], cells, is_over_);
-      bound.roundSupports(step);
-      const std::optional<Aabb> box = bound.box();
-      if (!box) return false;
-      const ProvenBox proven = exceeding(*box, reach, step);
-      if (proven.slack > accuracy_ && cells < kLastCells) continue;
-      writeLink(link.name, cells, step, proven, bound, out);
-      return true;
-    }
+/// Grows `box` by `step` on each side, and compares it with the reach.
+ProvenBox exceeding(const Aabb& box, const Reach& reach, double step) {
+  ProvenBox result{box, 0};
+  result.box.max().array() += step;
+  result.box.min().array() -= step;
+  for (std::size_t face = 0; face < kFaces; ++face) {
+    const double excess = beyond(face, faceOf(result.box, face), reach.faces[face].at);
+    result.slack = std::max(result.slack, excess);
   }
+  return result;
+}
 
- private:
-  /// Grows `box` by `step` on each side, and compares it with the reach.
-  static ProvenBox exceeding(const Aabb& box, const Reach& reach, double step) {
-    ProvenBox result{box, 0};
-    result.box.max().array() += step;
-    result.box.min().array() -= step;
-    for (std::size_t face = 0; face < kFaces; ++face) {
-      const double excess = beyond(face, faceOf(result.box, face), reach.faces[face].at);
-      result.slack = std::max(result.slack, excess);
-    }
-    return result;
+void writeLink(const std::string& name, int cells, double step, const ProvenBox& proven,
+               const ReachBound& bound, std::ostream& out) {
+  out << "{\"link\": " << jsonString(name) << ", \"min\": " << jsonNumbers(proven.box.min())
+      << ", \"max\": " << jsonNumbers(proven.box.max())
+      << ", \"slack\": " << exactNumber(proven.slack) << ", \"cells\": " << cells
+      << ", \"step\": " << exactNumber(step) << ", \"tables\": [";
+  for (std::size_t joint = 1; joint <= bound.joints(); ++joint) {
+    out << (joint > 1 ? "], [" : "[");
+    const char* separator = "";
+    for (const double support : bound.supportsAfter(joint))
+      out << std::exchange(separator, ",") << std::llround(support / step);
   }
-
-  static void writeLink(const std::string& name, int cells, double step, const ProvenBox& proven,
-                        const ReachBound& bound, std::ostream& out) {
-    out << "{\"link\": " << jsonString(name) << ", \"min\": " << jsonNumbers(proven.box.min())
-        << ", \"max\": " << jsonNumbers(proven.box.max())
-        << ", \"slack\": " << exactNumber(proven.slack) << ", \"cells\": " << cells
-        << ", \"step\": " << exactNumber(step) << ", \"tables\": [";
-    for (std::size_t joint = 1; joint <= bound.joints(); ++joint) {
-      out << (joint > 1 ? "], [" : "[");
-      const char* separator = "";
-      for (const double support : bound.supportsAfter(joint))
-        out << std::exchange(separator, ",") << std::llround(support / step);
-    }
-    out << (bound.joints() > 0 ? "]]}\n" : "]}\n");
-  }
-
-  const Robot& robot_;
-  const BoundedRobot& bounded_;
-  const std::vector<JointRange>& ranges_;
-  double accuracy_;
-  std::function<bool()> is_over_;
-  std::vector<double> radii_;
-};
+  out << (bound.joints() > 0 ? "]]}\n" : "]}\n");
+}
 
 }  // namespace
 
@@ -104,15 +64,31 @@ std::size_t writeReachCertificate(const UrdfBoundsOptions& options, const Robot&
                                   const std::vector<JointRange>& ranges,
                                   const std::vector<std::optional<Reach>>& reaches,
                                   const std::function<bool()>& is_over, std::ofstream& out) {
-  const ReachCertificate certificate(robot, bounded, ranges,
-                                     options.accuracy.value_or(kDefaultAccuracy), is_over);
+  const double accuracy = options.accuracy.value_or(kDefaultAccuracy);
+  const std::vector<double> radii = linkRadii(robot, bounded, ranges);
+  /// Returns false and writes nothing if the link cannot be proven.
+  const auto certify = [&](std::size_t index) {
+    if (!reaches[index] || !bounded.links[index].isWhole()) return false;
+    BoundedLink link = bounded.links[index];
+    link.padding = 0;
+    const JointPath chain = jointPath(robot, ranges, robot.root, bounded.indices[index]);
+    if (chain.joints.size() > kMaxJoints) return false;
+    const double step = kStep * std::max(1.0, radii[index]);
+    for (int cells = kFirstCells;; cells *= 2) {
+      ReachBound bound(chain, link, radii[index], cells, is_over);
+      bound.roundSupports(step);
+      const std::optional<Aabb> box = bound.box();
+      if (!box) return false;
+      const ProvenBox proven = exceeding(*box, *reaches[index], step);
+      if (proven.slack > accuracy && cells < kLastCells) continue;
+      writeLink(link.name, cells, step, proven, bound, out);
+      return true;
+    }
+  };
   std::size_t covered = 0;
-  std::size_t left_out = 0;
-  for (std::size_t i = 0; i < reaches.size(); ++i) {
-    const bool is_covered =
-        reaches[i] && bounded.links[i].isWhole() && certificate.write(i, *reaches[i], out);
-    ++(is_covered ? covered : left_out);
-  }
+  for (std::size_t i = 0; i < reaches.size(); ++i)
+    covered += certify(i) ? 1u : 0u;
+  const std::size_t left_out = reaches.size() - covered;
   endCertificate(options, "links", covered, std::to_string(left_out), out);
   return left_out;
 }
