@@ -20,96 +20,7 @@ constexpr double kLargestBallDefect = 3e-14;  // the defect of poses of tf is be
 
 }  // namespace
 
-class BodyDistances::Memories {
- public:
-  explicit Memories(const DistanceGoal& its_goal) : goal(its_goal) {}
-
-  void set(std::size_t index, std::shared_ptr<const Body> body) {
-    Slot slot;  // everything that may throw comes before the first change
-    slot.body = std::move(body);
-    slot.with_cores = withCores(slot.body);
-    if (slot.body) slot.ball = ballOf(*slot.with_cores);
-    if (index >= slots_.size()) slots_.resize(index + 1);
-    slot.version = ++last_version_;
-    slots_[index] = std::move(slot);
-    if (!slots_[index].body) forget(index);
-  }
-
-  void move(std::size_t index, const Eigen::Affine3d& world_from_body) {
-    if (index >= slots_.size() || !slots_[index].body) return;
-    Slot& slot = slots_[index];
-    if (slot.pose && slot.pose->matrix() == world_from_body.matrix()) return;
-    slot.pose = world_from_body;
-    slot.pose_version = ++last_version_;
-    slot.is_placed = false;
-    const bool had_cores = slot.usesCores();
-    slot.rigid = slot.ball ? rigidBody(*slot.ball, world_from_body) : std::nullopt;
-    const bool is_other_form = slot.with_cores != slot.body && slot.usesCores() != had_cores;
-    if (is_other_form) slot.version = ++last_version_;
-  }
-
-  std::optional<BodyDistance> find(std::size_t first, std::size_t second) {
-    if (first > second) return swapped(find(second, first));
-    if (second >= slots_.size()) return std::nullopt;
-    const Slot& a = slots_[first];
-    const Slot& b = slots_[second];
-    if (!a.placed() || !b.placed()) return std::nullopt;
-    if (const auto far = distanceBeyond(goal.limit, *a.placed(), *b.placed())) return far;
-    const auto entry = pairs_.try_emplace(keyOf(first, second)).first;
-    Pair& pair = entry->second;
-    if (!isLastOf(pair, a, b) || !reachesGoal(pair.last)) {
-      const std::optional<PosePair> now = posesOf(a, b);
-      search(pair, a, b, now, motionOf(pair, a, b, now));
-    }
-    pair.round = round_;
-    const BodyDistance result = pair.last;
-    if (!pair.memory.is_known) pairs_.erase(entry);
-    return result;
-  }
-
-  std::optional<BodyDistance> follow(std::size_t first, std::size_t second) {
-    if (first > second) return swapped(follow(second, first));
-    if (second >= slots_.size()) return std::nullopt;
-    const Slot& a = slots_[first];
-    const Slot& b = slots_[second];
-    if (!a.pose || !b.pose) return std::nullopt;
-    const auto known = pairs_.find(keyOf(first, second));
-    if (known == pairs_.end() && !(a.placed() && b.placed())) return std::nullopt;
-    Pair& pair = known != pairs_.end() ? known->second : pairs_[keyOf(first, second)];
-    pair.round = round_;
-    if (isLastOf(pair, a, b) && reachesGoal(pair.last)) return pair.last;
-    const std::optional<PosePair> now = posesOf(a, b);
-    const std::optional<RelativeMotion> motion = motionOf(pair, a, b, now);
-    if (motion) {
-      show(pair, pair.lease->carried(*motion, *a.rigid, *b.rigid), a, b);
-      if (reachesGoal(pair.last)) return pair.last;
-    }
-    if (!a.placed() || !b.placed()) return std::nullopt;
-    search(pair, a, b, now, motion);
-    return pair.last;
-  }
-
-  std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
-    if (first > second) return swapped(findOnce(second, first, limit));
-    if (second >= slots_.size()) return std::nullopt;
-    const Slot& a = slots_[first];
-    const Slot& b = slots_[second];
-    if (!a.placed() || !b.placed()) return std::nullopt;
-    PairMemory memory;
-    DistanceGoal goal_once = goal;
-    goal_once.limit = limit;
-    return placedDistance(*a.placed(), *b.placed(), goal_once, memory, room_);
-  }
-
-  void forgetUnused() {
-    for (auto pair = pairs_.begin(); pair != pairs_.end();)
-      pair = pair->second.round == round_ ? std::next(pair) : pairs_.erase(pair);
-    ++round_;
-  }
-
-  DistanceGoal goal;
-
- private:
+struct BodyDistances::Memories {
   struct Slot {
     std::shared_ptr<const Body> body;
     std::shared_ptr<const Body> with_cores;  ///< see usesCores()
@@ -170,16 +81,16 @@ class BodyDistances::Memories {
   /// Searches, and begins a lease on what is found if both poses are rigid. Forgets all of a pair
   /// with a body that was replaced. `motion` is motionOf() this pair.
   void search(Pair& pair, const Slot& a, const Slot& b, const std::optional<PosePair>& now,
-              const std::optional<RelativeMotion>& motion) const {
+              const std::optional<RelativeMotion>& motion) {
     if (!pair.isOf(a, b)) {
       pair = Pair();
       pair.first_version = a.version;
       pair.second_version = b.version;
-      pair.round = round_;
+      pair.round = round;
     }
     pair.lease.reset();
     const BodyDistance found =
-        placedDistance(*a.placed(), *b.placed(), goal, pair.memory, room_, motion);
+        placedDistance(*a.placed(), *b.placed(), goal, pair.memory, room, motion);
     if (now) pair.lease.emplace(found, *now, *a.rigid, *b.rigid);
     show(pair, found, a, b);
   }
@@ -202,31 +113,51 @@ class BodyDistances::Memories {
   }
 
   void forget(std::size_t index) {
-    for (auto pair = pairs_.begin(); pair != pairs_.end();) {
+    for (auto pair = pairs.begin(); pair != pairs.end();) {
       const bool is_of_it = pair->first >> 32 == index || (pair->first & 0xffffffff) == index;
-      pair = is_of_it ? pairs_.erase(pair) : std::next(pair);
+      pair = is_of_it ? pairs.erase(pair) : std::next(pair);
     }
   }
 
-  std::vector<Slot> slots_;
-  std::unordered_map<std::uint64_t, Pair> pairs_;  ///< by both indices
-  std::uint64_t last_version_ = 0;
-  std::uint64_t round_ = 0;  ///< a round ends with forgetUnused()
-  mutable SearchRoom room_;
+  DistanceGoal goal;
+  std::vector<Slot> slots;
+  std::unordered_map<std::uint64_t, Pair> pairs;  ///< by both indices
+  std::uint64_t last_version = 0;
+  std::uint64_t round = 0;  ///< a round ends with forgetUnused()
+  SearchRoom room;
 };
 
-BodyDistances::BodyDistances(const DistanceGoal& goal)
-    : memories_(std::make_unique<Memories>(goal)) {}
+BodyDistances::BodyDistances(const DistanceGoal& goal) : memories_(std::make_unique<Memories>()) {
+  memories_->goal = goal;
+}
 BodyDistances::BodyDistances(BodyDistances&&) noexcept = default;
 BodyDistances& BodyDistances::operator=(BodyDistances&&) noexcept = default;
 BodyDistances::~BodyDistances() = default;
 
 void BodyDistances::set(std::size_t index, std::shared_ptr<const Body> body) {
-  memories_->set(index, std::move(body));
+  Memories& own = *memories_;
+  Memories::Slot slot;  // everything that may throw comes before the first change
+  slot.body = std::move(body);
+  slot.with_cores = withCores(slot.body);
+  if (slot.body) slot.ball = ballOf(*slot.with_cores);
+  if (index >= own.slots.size()) own.slots.resize(index + 1);
+  slot.version = ++own.last_version;
+  own.slots[index] = std::move(slot);
+  if (!own.slots[index].body) own.forget(index);
 }
 
 void BodyDistances::move(std::size_t index, const Eigen::Affine3d& world_from_body) {
-  memories_->move(index, world_from_body);
+  Memories& own = *memories_;
+  if (index >= own.slots.size() || !own.slots[index].body) return;
+  Memories::Slot& slot = own.slots[index];
+  if (slot.pose && slot.pose->matrix() == world_from_body.matrix()) return;
+  slot.pose = world_from_body;
+  slot.pose_version = ++own.last_version;
+  slot.is_placed = false;
+  const bool had_cores = slot.usesCores();
+  slot.rigid = slot.ball ? rigidBody(*slot.ball, world_from_body) : std::nullopt;
+  const bool is_other_form = slot.with_cores != slot.body && slot.usesCores() != had_cores;
+  if (is_other_form) slot.version = ++own.last_version;
 }
 
 void BodyDistances::setGoal(const DistanceGoal& goal) {
@@ -234,20 +165,68 @@ void BodyDistances::setGoal(const DistanceGoal& goal) {
 }
 
 std::optional<BodyDistance> BodyDistances::find(std::size_t first, std::size_t second) {
-  return memories_->find(first, second);
+  if (first > second) return swapped(find(second, first));
+  Memories& own = *memories_;
+  if (second >= own.slots.size()) return std::nullopt;
+  const Memories::Slot& a = own.slots[first];
+  const Memories::Slot& b = own.slots[second];
+  if (!a.placed() || !b.placed()) return std::nullopt;
+  if (const auto far = distanceBeyond(own.goal.limit, *a.placed(), *b.placed())) return far;
+  const auto entry = own.pairs.try_emplace(own.keyOf(first, second)).first;
+  Memories::Pair& pair = entry->second;
+  if (!own.isLastOf(pair, a, b) || !own.reachesGoal(pair.last)) {
+    const std::optional<PosePair> now = own.posesOf(a, b);
+    own.search(pair, a, b, now, own.motionOf(pair, a, b, now));
+  }
+  pair.round = own.round;
+  const BodyDistance result = pair.last;
+  if (!pair.memory.is_known) own.pairs.erase(entry);
+  return result;
 }
 
 std::optional<BodyDistance> BodyDistances::follow(std::size_t first, std::size_t second) {
-  return memories_->follow(first, second);
+  if (first > second) return swapped(follow(second, first));
+  Memories& own = *memories_;
+  if (second >= own.slots.size()) return std::nullopt;
+  const Memories::Slot& a = own.slots[first];
+  const Memories::Slot& b = own.slots[second];
+  if (!a.pose || !b.pose) return std::nullopt;
+  const auto known = own.pairs.find(own.keyOf(first, second));
+  if (known == own.pairs.end() && !(a.placed() && b.placed())) return std::nullopt;
+  Memories::Pair& pair =
+      known != own.pairs.end() ? known->second : own.pairs[own.keyOf(first, second)];
+  pair.round = own.round;
+  if (own.isLastOf(pair, a, b) && own.reachesGoal(pair.last)) return pair.last;
+  const std::optional<PosePair> now = own.posesOf(a, b);
+  const std::optional<RelativeMotion> motion = own.motionOf(pair, a, b, now);
+  if (motion) {
+    own.show(pair, pair.lease->carried(*motion, *a.rigid, *b.rigid), a, b);
+    if (own.reachesGoal(pair.last)) return pair.last;
+  }
+  if (!a.placed() || !b.placed()) return std::nullopt;
+  own.search(pair, a, b, now, motion);
+  return pair.last;
 }
 
 std::optional<BodyDistance> BodyDistances::findOnce(std::size_t first, std::size_t second,
                                                     double limit) const {
-  return memories_->findOnce(first, second, limit);
+  if (first > second) return swapped(findOnce(second, first, limit));
+  Memories& own = *memories_;
+  if (second >= own.slots.size()) return std::nullopt;
+  const Memories::Slot& a = own.slots[first];
+  const Memories::Slot& b = own.slots[second];
+  if (!a.placed() || !b.placed()) return std::nullopt;
+  PairMemory memory;
+  DistanceGoal goal_once = own.goal;
+  goal_once.limit = limit;
+  return placedDistance(*a.placed(), *b.placed(), goal_once, memory, own.room);
 }
 
 void BodyDistances::forgetUnused() {
-  memories_->forgetUnused();
+  Memories& own = *memories_;
+  for (auto pair = own.pairs.begin(); pair != own.pairs.end();)
+    pair = pair->second.round == own.round ? std::next(pair) : own.pairs.erase(pair);
+  ++own.round;
 }
 
 }  // namespace link_bounds

@@ -48,7 +48,7 @@ class BodyDistances {
   void forgetUnused();
 
  private:
-  class Memories;
+  struct Memories;
   std::unique_ptr<Memories> memories_;
 };
 
