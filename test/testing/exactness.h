@@ -3,7 +3,7 @@
 // Extents of the table beside those of the scan over all points, bit by bit.
 #pragma once
 
-#include "geometry/support/query/query_path.h"
+#include "geometry/support/query/direction_query.h"
 #include "link_bounds/geometry/box/rounding.h"
 #include "link_bounds/geometry/support/point_set.h"
 #include "testing/brute_force.h"

@@ -7,7 +7,6 @@
 #include <array>
 
 #include "geometry/support/query/direction_query.h"
-#include "geometry/support/query/point_scan.h"
 #include "geometry/support/table/direction_fold.h"
 
 namespace link_bounds {

@@ -20,7 +20,7 @@ bool isFinite(const geometry_msgs::Quaternion& q) {
 }
 
 /// Four points at a time, so that the twelve numbers fill vector registers. A max may lose a NaN; a
-/// sum does not. For why the loop counts down, see point_scan.h.
+/// sum does not. For why the loop counts down, see direction_query.h.
 bool areBelowLimit(const std::vector<geometry_msgs::Point>& points) {
   using Twelve = Eigen::Array<double, 12, 1>;
   Twelve max = Twelve::Zero();

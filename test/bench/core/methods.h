@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bench/core/method.h"
-#include "geometry/support/query/query_path.h"
+#include "geometry/support/query/direction_query.h"
 
 namespace link_bounds::bench {
 

@@ -4,7 +4,7 @@
 // precision what they bound.
 #include <gtest/gtest.h>
 
-#include "geometry/support/query/query_path.h"
+#include "geometry/support/query/direction_query.h"
 #include "link_bounds/geometry/shape/shape.h"
 #include "testing/brute_force.h"
 #include "testing/linear_maps.h"

@@ -4,7 +4,7 @@
 // compiled into this test as on such a processor.
 #include <gtest/gtest.h>
 
-#include "geometry/support/query/query_path.h"
+#include "geometry/support/query/direction_query.h"
 
 namespace link_bounds {
 namespace {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "geometry/support/query/query_path.h"
+#include "geometry/support/query/direction_query.h"
 #include "link_bounds/geometry/shape/shape.h"
 #include "robot/worker/mesh_import.h"
 

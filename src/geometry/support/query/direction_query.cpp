@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <atomic>
 
-#include "geometry/support/query/point_scan.h"
 #include "geometry/support/table/direction_fold.h"
 
 namespace link_bounds {

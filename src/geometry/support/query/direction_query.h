@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Extents of the points of a table.
+// Extents of the points of a table, and of all points of a set.
 #pragma once
 
 #include <array>
 
-#include "geometry/support/query/query_path.h"
 #include "geometry/support/table/direction_table.h"
 #include "link_bounds/geometry/support/query/extents.h"
 
@@ -14,6 +13,18 @@
 #endif
 
 namespace link_bounds {
+
+/// Which instructions the queries use. The best path of this processor is chosen at the first
+/// query.
+enum class QueryPath { kPlain, kSse2, kAvx2, kNeon };
+constexpr QueryPath kQueryPaths[] = {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2,
+                                     QueryPath::kNeon};
+
+bool isSupported(QueryPath path);
+QueryPath queryPath();
+
+/// For tests and benchmarks; `path` must be supported.
+void useQueryPath(QueryPath path);
 
 /// Extents along the rows of `directions`, which must not exceed 1e30. Each r . p is evaluated as
 /// (r0 x + r1 y) + r2 z in double, so the result is the same to the bit on every machine and every
@@ -62,5 +73,18 @@ extern const Query kAvx2Query;
 #ifdef LINK_BOUNDS_NEON
 extern const Query kNeonQuery;
 #endif
+
+// The scan over all points of a set in double; `xyz` and `count` as for PointSet. A list that does
+// not fit into the cache is read to and fro, magnitude upwards and extents downwards, so that each
+// pass begins where the one before it ended.
+
+/// The largest |x|, |y| and |z|.
+Eigen::Vector3d scannedMagnitude(const double* xyz, std::size_t count);
+
+/// As PointSet::extents, by the path in use.
+Extents scannedExtents(const double* xyz, std::size_t count, const Directions& directions);
+
+/// The same by the plain path.
+Extents scanPlain(const double* xyz, std::size_t count, const Directions& directions);
 
 }  // namespace link_bounds

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "geometry/support/query/direction_query.h"
-#include "geometry/support/query/point_scan.h"
 #include "geometry/support/table/direction_fold.h"
 
 namespace link_bounds {

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The plain path, and the magnitude.
-#include "geometry/support/query/point_scan.h"
-
 #include <algorithm>
 #include <cmath>
 
