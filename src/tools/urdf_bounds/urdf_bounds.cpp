@@ -130,21 +130,20 @@ Outcome runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   return outcomeOf(incomplete, distances);
 }
 
-/// Loads the file of --objects; returns no objects without that option.
-PathObjects loadObjects(const UrdfBoundsOptions& options) {
-  PathObjects objects;
-  if (!options.objects) return objects;
+/// Loads the file of --objects, with bodies; returns no objects without that option.
+BoundedRobot loadObjects(const UrdfBoundsOptions& options) {
+  if (!options.objects) return {};
   const std::string& file = *options.objects;
-  objects.robot = parseObjects(readText(file, "a file of objects"), file);
+  const Robot objects = parseObjects(readText(file, "a file of objects"), file);
   Selection selection;
   selection.triangles = true;
   const MeshSource source{rosPackages(), folderOf(file), progressBar(), {}, isInterrupted};
-  checkOutputs(options, meshFiles(objects.robot, source.package_path, source.base_folder));
-  objects.bounded = RobotLoader().load(objects.robot, selection, source);
-  nameObjects(objects.bounded);
-  for (const std::string& problem : allProblems(objects.bounded))
+  checkOutputs(options, meshFiles(objects, source.package_path, source.base_folder));
+  BoundedRobot bounded = RobotLoader().load(objects, selection, source);
+  nameObjects(bounded);
+  for (const std::string& problem : allProblems(bounded))
     warn(file + ": " + problem);
-  return objects;
+  return bounded;
 }
 
 /// Boxes and distances of the rows of a table, or proofs about the motion between them.

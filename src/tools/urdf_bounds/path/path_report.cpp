@@ -180,15 +180,14 @@ std::vector<JointMotion> motionsOf(const UrdfBoundsOptions& options, const Joint
 }
 
 PathBodies bodiesOf(const UrdfBoundsOptions& options, const Robot& robot,
-                    const BoundedRobot& bounded, const PathObjects& objects) {
-  for (const BoundedLink& object : objects.bounded.links) {
+                    const BoundedRobot& bounded, const BoundedRobot& objects) {
+  for (const BoundedLink& object : objects.links) {
     const auto has_name = [&](const Link& link) { return link.name == object.name; };
     if (std::any_of(robot.links.begin(), robot.links.end(), has_name))
       throw UsageError(*options.objects + ": object \"" + object.name +
                        "\" has the name of a link; rename it");
   }
-  return pathBodies(robot, bounded, objects.bounded,
-                    Exemptions(readSrdf(options.srdf, robot).pairs));
+  return pathBodies(robot, bounded, objects, Exemptions(readSrdf(options.srdf, robot).pairs));
 }
 
 /// The values of the joints that can be set.
@@ -235,7 +234,7 @@ void reportTimes(const PathTable& table) {
 }  // namespace
 
 Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
-                  const PathObjects& objects, const JointTable& table, const JointValues& given) {
+                  const BoundedRobot& objects, const JointTable& table, const JointValues& given) {
   checkRows(options, table);
   const PathBodies bodies = bodiesOf(options, robot, bounded, objects);
   PathTable result{options.clearance.value_or(0), bodies.names, {}, bodies.incomplete};

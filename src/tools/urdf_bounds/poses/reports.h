@@ -39,15 +39,9 @@ Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
 Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
                    const BoundedRobot& bounded, const std::vector<JointRange>& ranges);
 
-/// The objects around the robot.
-struct PathObjects {
-  Robot robot;           ///< one link per object
-  BoundedRobot bounded;  ///< with bodies
-};
-
-/// Writes a verdict per segment. `bounded` has bodies; `given` has one value per joint of the robot
-/// with simple joints. Throws UsageError for rows that are no path.
+/// Writes a verdict per segment. `bounded` and the objects around it have bodies; `given` has one
+/// value per joint of the robot with simple joints. Throws UsageError for rows that are no path.
 Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
-                  const PathObjects& objects, const JointTable& table, const JointValues& given);
+                  const BoundedRobot& objects, const JointTable& table, const JointValues& given);
 
 }  // namespace link_bounds
