@@ -116,16 +116,14 @@ Outcome runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   const std::vector<double> values = valuesFor(simple, options.joints);
   const std::vector<Eigen::Isometry3d> poses = linkPoses(simple, values);
   const BoundedRobot bounded = loadLinks(robot, options);
-  std::vector<PlacedLink> links;
-  for (std::size_t i = 0; i < bounded.links.size(); ++i)
-    links.push_back({&bounded.links[i], poses[bounded.indices[i]]});
   std::optional<DistanceTable> distances;
   if (options.distances) {
     PosedRobot posed(robot, bounded);
     posed.move(values);
     distances = linkDistances(posed, bounded, *options.distances);
   }
-  const Reasons incomplete = writeReport(options, robot.links[robot.root].name, links, distances);
+  const Reasons incomplete =
+      writeReport(options, robot.links[robot.root].name, bounded, poses, distances);
   if (options.verbose) reportMemory(bounded);
   return outcomeOf(incomplete, distances);
 }

@@ -181,16 +181,17 @@ std::optional<Volume> placedVolume(const std::optional<LinkVolume>& volume,
 }
 
 /// The volume of a link in the frame of the report. If it is a box, extends `robot_box` by it.
-std::optional<Volume> volumeOf(const PlacedLink& link, const VolumeTable& table, Aabb& robot_box) {
+std::optional<Volume> volumeOf(const BoundedLink& link, const Eigen::Isometry3d& frame_from_link,
+                               const VolumeTable& table, Aabb& robot_box) {
   switch (table.kind) {
     case VolumeKind::kBox:
       break;
     case VolumeKind::kSphere:
-      return placedVolume(boundingSphere(*link.link), link.frame_from_link);
+      return placedVolume(boundingSphere(link), frame_from_link);
     case VolumeKind::kOrientedBox:
-      return placedVolume(orientedBox(*link.link), link.frame_from_link);
+      return placedVolume(orientedBox(link), frame_from_link);
   }
-  const std::optional<Aabb> box = linkBox(*link.link, Eigen::Affine3d(link.frame_from_link));
+  const std::optional<Aabb> box = linkBox(link, Eigen::Affine3d(frame_from_link));
   if (!box) return std::nullopt;
   robot_box.extend(*box);
   return toVolume(*box, table.representation);
@@ -209,16 +210,17 @@ void addReasons(const Reasons& reasons, Reasons& incomplete) {
 }  // namespace
 
 Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
-                    const std::vector<PlacedLink>& links,
+                    const BoundedRobot& bounded, const std::vector<Eigen::Isometry3d>& poses,
                     const std::optional<DistanceTable>& distances) {
   VolumeTable table;
   table.kind = options.volume;
   table.representation = options.representation.value_or(Representation::kMinMax);
   table.frame = frame;
   Aabb robot_box;
-  for (const PlacedLink& placed_link : links) {
-    const BoundedLink& link = *placed_link.link;
-    const std::optional<Volume> volume = volumeOf(placed_link, table, robot_box);
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    const BoundedLink& link = bounded.links[i];
+    const std::optional<Volume> volume =
+        volumeOf(link, poses[bounded.indices[i]], table, robot_box);
     if (volume) table.volumes.emplace_back(link.name, *volume);
     if (!link.isWhole()) {
       table.incomplete.emplace_back(link.name, link.missing);

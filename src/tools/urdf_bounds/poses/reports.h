@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/geometry/shape/bounded_link.h"
 #include "link_bounds/robot/robot_loader.h"
 #include "tools/urdf_bounds/poses/distance_table.h"
 #include "tools/urdf_bounds/request/joint_table.h"
@@ -15,16 +14,11 @@
 
 namespace link_bounds {
 
-struct PlacedLink {
-  const BoundedLink* link;
-  Eigen::Isometry3d frame_from_link;
-};
-
-/// Writes the volume of each link in `frame`; for boxes also the box around all of them. Adds
-/// `distances` if there are any. Returns the links whose volume or distance is missing or
-/// incomplete, with the reason.
+/// Writes the volume of each link in `frame`; for boxes also the box around all of them. `poses`
+/// are those of all links of the robot in `frame`. Adds `distances` if there are any. Returns the
+/// links whose volume or distance is missing or incomplete, with the reason.
 Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
-                    const std::vector<PlacedLink>& links,
+                    const BoundedRobot& bounded, const std::vector<Eigen::Isometry3d>& poses,
                     const std::optional<DistanceTable>& distances);
 
 /// Writes the summary of all rows, and with --series each row. `given` has one value per joint.
