@@ -155,7 +155,7 @@ std::unique_ptr<SharedRobot> load(const py::object& urdf, const std::string& geo
     try {
       return std::make_unique<SharedRobot>(request, stop);
     } catch (const JointError& error) {  // no value was given yet: the URDF is wrong
-      throw UnusableRobot(error.what());
+      throw RobotError(error.what());
     }
   });
   for (const std::string& warning : shared->warnings())

@@ -140,7 +140,7 @@ std::string pathOf(const py::object& file) {
   return py::cast<std::string>(py::module::import("os").attr("fsencode")(file));
 }
 
-/// Throws UnusableRobot for a mesh that cannot be used, unless the robot may be incomplete.
+/// Throws RobotError for a mesh that cannot be used, unless the robot may be incomplete.
 BoundedRobot objectsOf(const SharedRobot& shared, const py::object& given) {
   if (given.is_none()) return {};
   const std::string file = pathOf(given);

@@ -28,7 +28,7 @@ BoundedRobot load(const Robot& robot, Selection selection, const PackagePath& pa
 }
 
 void refuseLosses(const std::vector<std::string>& problems) {
-  if (!problems.empty()) throw UnusableRobot(joined(problems, "\n"));
+  if (!problems.empty()) throw RobotError(joined(problems, "\n"));
 }
 
 }  // namespace

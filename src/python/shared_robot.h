@@ -25,7 +25,7 @@ struct RobotRequest {
 /// Any number of threads may use it.
 class SharedRobot {
  public:
-  /// Throws RobotError, JointError, and UnusableRobot with a line per lost element. Losses are only
+  /// Throws JointError, and RobotError, for losses with a line per lost element. Losses are only
   /// accepted if the request allows them and `stop` is not set.
   SharedRobot(const RobotRequest& request, const StopFlag& stop);
 

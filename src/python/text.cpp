@@ -37,8 +37,6 @@ void translate(std::exception_ptr error, const pybind11::handle& robot_error) {
     std::rethrow_exception(error);
   } catch (const JointError& what) {
     set(PyExc_ValueError, what);
-  } catch (const UnusableRobot& what) {
-    set(robot_error.ptr(), what);
   } catch (const RobotError& what) {
     set(robot_error.ptr(), what);
   } catch (const SrdfError& what) {

@@ -5,16 +5,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include <stdexcept>
 #include <string>
 
 namespace link_bounds {
-
-/// The description or a mesh of a robot cannot be used: link_bounds.RobotError in Python.
-class UnusableRobot : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Bytes that are no UTF-8 become surrogates, as in the names of files.
 pybind11::str toPython(const std::string& text);
