@@ -59,9 +59,9 @@ void workOn(const SharedRobot& shared, const JointRows& rows, std::size_t row, P
 /// that of one thread.
 void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const StopFlag& stop,
               const PoseWork& work) {
-  std::vector<Borrowed> workers;
+  std::vector<SharedRobot::Borrowed> workers;
   for (unsigned i = 0; i < jobs; ++i)
-    workers.emplace_back(shared);
+    workers.push_back(shared.borrow());
   StopFlag has_failed{false};
   const auto take = [&](unsigned thread, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
@@ -81,7 +81,7 @@ void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const S
 /// Computes a single pose on this thread. boxesOf() keeps the GIL: to get it back may take longer
 /// than the boxes.
 void forOne(SharedRobot& shared, const JointRows& rows, const PoseWork& work) {
-  const Borrowed posed(shared);
+  const SharedRobot::Borrowed posed = shared.borrow();
   workOn(shared, rows, 0, *posed, work);
 }
 

@@ -42,7 +42,7 @@ SharedRobot::SharedRobot(const RobotRequest& request, const StopFlag& stop)
       packages_(request.packages),
       bounded_(load(robot_, request.selection, packagePath(packages_), request.base_folder, stop)) {
   if (!allow_incomplete_ || stop) refuseLosses(bounded_.problems);
-  giveBack(borrow());
+  borrow();  // makes the first one
 }
 
 BoundedRobot SharedRobot::loadObjects(const Robot& objects, const std::string& base_folder,
@@ -66,21 +66,21 @@ std::vector<std::string> SharedRobot::warnings() const {
   return result;
 }
 
-std::unique_ptr<PosedRobot> SharedRobot::borrow() {
+SharedRobot::Borrowed SharedRobot::borrow() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!idle_.empty()) {
-      std::unique_ptr<PosedRobot> posed = std::move(idle_.back());
+      Borrowed posed(idle_.back().release(), GiveBack{this});
       idle_.pop_back();
       return posed;
     }
   }
-  return std::make_unique<PosedRobot>(robot_, bounded_);
+  return Borrowed(new PosedRobot(robot_, bounded_), GiveBack{this});
 }
 
-void SharedRobot::giveBack(std::unique_ptr<PosedRobot> posed) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  idle_.push_back(std::move(posed));
+void SharedRobot::GiveBack::operator()(PosedRobot* posed) const {
+  const std::lock_guard<std::mutex> lock(owner->mutex_);
+  owner->idle_.push_back(std::unique_ptr<PosedRobot>(posed));
 }
 
 }  // namespace link_bounds

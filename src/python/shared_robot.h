@@ -54,9 +54,15 @@ class SharedRobot {
   BoundedRobot loadObjects(const Robot& objects, const std::string& base_folder,
                            const StopFlag& stop) const;
 
-  /// A robot that nobody else uses, until it is given back.
-  std::unique_ptr<PosedRobot> borrow();
-  void giveBack(std::unique_ptr<PosedRobot> posed);
+  struct GiveBack {
+    SharedRobot* owner;
+
+    void operator()(PosedRobot* posed) const;
+  };
+  using Borrowed = std::unique_ptr<PosedRobot, GiveBack>;
+
+  /// A robot that nobody else uses until its end, where it is given back.
+  Borrowed borrow();
 
  private:
   Robot robot_;
@@ -69,24 +75,6 @@ class SharedRobot {
   BoundedRobot bounded_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<PosedRobot>> idle_;  ///< guarded by mutex_
-};
-
-/// A borrowed robot, which is given back at the end.
-class Borrowed {
- public:
-  explicit Borrowed(SharedRobot& owner) : owner_(&owner), posed_(owner.borrow()) {}
-  Borrowed(Borrowed&&) = default;
-  Borrowed& operator=(Borrowed&&) = delete;
-  ~Borrowed() {
-    if (posed_) owner_->giveBack(std::move(posed_));
-  }
-
-  PosedRobot* operator->() const { return posed_.get(); }
-  PosedRobot& operator*() const { return *posed_; }
-
- private:
-  SharedRobot* owner_;
-  std::unique_ptr<PosedRobot> posed_;
 };
 
 }  // namespace link_bounds
