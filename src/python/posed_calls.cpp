@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t kBoxNumbers = 6;
 
-/// Rows that one thread takes at once. They are consecutive, so that each search can begin where
-/// the search of the row before ended.
-constexpr std::size_t kAtOnce = 32;
-
 /// One entry of the structured array, as the message Distance.
 struct PairRow {
   std::int64_t row;
@@ -75,7 +71,7 @@ void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const S
       }
     }
   };
-  forRows(0, rows.count, jobs, kAtOnce, take);
+  forRows(0, rows.count, jobs, kPosesAtOnce, take);
 }
 
 /// Computes a single pose on this thread. boxesOf() keeps the GIL: to get it back may take longer
@@ -87,7 +83,7 @@ void forOne(SharedRobot& shared, const JointRows& rows, const PoseWork& work) {
 
 /// Computes rows on other threads, without the GIL.
 void forMany(SharedRobot& shared, const JointRows& rows, unsigned jobs, const PoseWork& work) {
-  const std::size_t useful = std::max<std::size_t>(1, rows.count / kAtOnce);
+  const std::size_t useful = std::max<std::size_t>(1, rows.count / kPosesAtOnce);
   const auto threads =
       static_cast<unsigned>(std::min<std::size_t>(jobs == 0 ? coreCount() : jobs, useful));
   interruptible([&](const StopFlag& stop) { forPoses(shared, rows, threads, stop, work); });

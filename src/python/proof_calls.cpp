@@ -44,14 +44,6 @@ std::vector<JointRange> rangesOf(const SharedRobot& shared, const ProofRequest& 
   return jointRanges(shared.robot(), given);
 }
 
-/// Why nothing is proven of a link.
-std::string whyNone(const SharedRobot& shared, const std::vector<JointRange>& ranges,
-                    std::size_t link) {
-  const BoundedLink& bounded = shared.bounded().links[link];
-  if (!bounded.isWhole()) return bounded.missing;
-  return whyNoReach(shared.robot(), shared.bounded(), ranges, link);
-}
-
 void warnOfGap(double max_gap, double accuracy) {
   if (max_gap <= accuracy) return;
   std::ostringstream text;
@@ -192,7 +184,8 @@ py::dict reachOfRobot(const SharedRobot& shared, const ProofRequest& request) {
       result[toPython(name)] = py::cast(*reaches[i]);
       max_gap = std::max(max_gap, reaches[i]->maxGap());
     } else {
-      warnInPython("link \"" + name + "\": " + whyNone(shared, ranges, i));
+      warnInPython("link \"" + name +
+                   "\": " + whyNoReach(shared.robot(), shared.bounded(), ranges, i));
     }
   }
   if (result.empty()) warnInPython(kNoLinkBounded);

@@ -70,12 +70,14 @@ double JointMotion::spread(std::size_t joint, double share, double half) const {
   return sum * (1 + kFormulaRounding) + kFormulaRounding * size;
 }
 
-std::vector<Limits> JointMotion::ranges() const {
+std::vector<Limits> JointMotion::ranges(const std::vector<Limits>& others) const {
   const std::vector<double> middle = at(0.5);
   std::vector<Limits> result;
   for (std::size_t i = 0; i < middle.size(); ++i) {
     const double width = spread(i, 0.5, 0.5);
-    result.push_back({middle[i] - width, middle[i] + width});
+    const Limits own{middle[i] - width, middle[i] + width};
+    const Limits other = others.empty() ? own : others[i];
+    result.push_back({std::min(other.lower, own.lower), std::max(other.upper, own.upper)});
   }
   return result;
 }

@@ -32,8 +32,8 @@ class JointMotion {
   /// differs from that at `share` [rad or m].
   double spread(std::size_t joint, double share, double half) const;
 
-  /// By joint: a range that holds all its values on the way.
-  std::vector<Limits> ranges() const;
+  /// By joint: a range that holds all its values on the way, and those of `others`, if any.
+  std::vector<Limits> ranges(const std::vector<Limits>& others = {}) const;
 
   /// False where the numbers are so large that a range is not finite. Such a motion must be
   /// refused.

@@ -24,17 +24,6 @@ void addBodies(const BoundedRobot& bounded, const std::vector<std::size_t>& link
   }
 }
 
-/// The ranges that no motion leaves.
-std::vector<Limits> rangesOf(const std::vector<JointMotion>& motions) {
-  std::vector<Limits> all = motions.front().ranges();
-  for (const JointMotion& motion : motions) {
-    const std::vector<Limits> ranges = motion.ranges();
-    for (std::size_t i = 0; i < all.size(); ++i)
-      all[i] = {std::min(all[i].lower, ranges[i].lower), std::max(all[i].upper, ranges[i].upper)};
-  }
-  return all;
-}
-
 }  // namespace
 
 PathBodies pathBodies(const Robot& robot, const BoundedRobot& bounded, const BoundedRobot& objects,
@@ -62,7 +51,9 @@ std::vector<SegmentProof> provePath(const Robot& simple, const PathBodies& bodie
                                     const PathControl& control) {
   std::vector<SegmentProof> proofs(motions.size());
   if (motions.empty()) return proofs;
-  const std::vector<Limits> ranges = rangesOf(motions);
+  std::vector<Limits> ranges;  // no motion leaves them
+  for (const JointMotion& motion : motions)
+    ranges = motion.ranges(ranges);
   const auto threads =
       static_cast<unsigned>(std::min<std::size_t>(control.threads, motions.size()));
   std::vector<PathProver> provers;

@@ -210,6 +210,7 @@ std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot
 
 std::string whyNoReach(const Robot& robot, const BoundedRobot& bounded,
                        const std::vector<JointRange>& ranges, std::size_t link) {
+  if (!bounded.links[link].isWhole()) return bounded.links[link].missing;
   const auto unknown = jointPath(robot, ranges, robot.root, bounded.indices[link]).unknown;
   return unknown.empty() ? "its size and pose give no finite box" : missingRanges(robot, unknown);
 }

@@ -51,8 +51,7 @@ std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot
                                           const std::vector<JointRange>& ranges,
                                           const ReachGoal& goal);
 
-/// Why reachOf() gives nothing for a link that has geometry and lacks none: the ranges that are
-/// missing, with the remedy, or a size and pose that give no finite box.
+/// Why nothing is proven of that link of `bounded`, or only of a part of it.
 std::string whyNoReach(const Robot& robot, const BoundedRobot& bounded,
                        const std::vector<JointRange>& ranges, std::size_t link);
 

@@ -8,6 +8,10 @@
 
 namespace link_bounds {
 
+/// Poses that one thread takes at once. They are consecutive, so that each search can begin where
+/// the search of the row before ended.
+constexpr std::size_t kPosesAtOnce = 32;
+
 /// Rows begin <= row < end, on the thread of that number.
 using RowWork = std::function<void(unsigned thread, std::size_t begin, std::size_t end)>;
 

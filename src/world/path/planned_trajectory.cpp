@@ -107,12 +107,9 @@ std::vector<double> PlannedTrajectory::spread(const std::vector<double>& numbers
 }
 
 std::vector<Limits> PlannedTrajectory::ranges() const {
-  std::vector<Limits> all = motion(0).ranges();
-  for (std::size_t segment = 1; segment < segments(); ++segment) {
-    const std::vector<Limits> ranges = motion(segment).ranges();
-    for (std::size_t i = 0; i < all.size(); ++i)
-      all[i] = {std::min(all[i].lower, ranges[i].lower), std::max(all[i].upper, ranges[i].upper)};
-  }
+  std::vector<Limits> all;
+  for (std::size_t segment = 0; segment < segments(); ++segment)
+    all = motion(segment).ranges(all);
   return all;
 }
 

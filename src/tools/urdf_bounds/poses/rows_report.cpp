@@ -24,10 +24,6 @@ namespace {
 /// Number of rows between two progress reports, and between two writes to the file of --series.
 constexpr std::size_t kBlock = 1024;
 
-/// Rows that one thread takes at once. They are consecutive, so that each search can begin where
-/// the search of the row before ended.
-constexpr std::size_t kAtOnce = 32;
-
 /// How near each pair was in the rows that one thread has seen.
 class PairRecords {
  public:
@@ -111,7 +107,7 @@ class RowsRun {
       if (hasTerminal()) drawBar(done, rows, "rows");
       const std::size_t end = std::min(done + kBlock, rows);
       texts_.assign(end - done, "");
-      forRows(done, end, jobs(), kAtOnce,
+      forRows(done, end, jobs(), kPosesAtOnce,
               [&](unsigned thread, std::size_t first, std::size_t last) {
                 for (std::size_t row = first; row < last; ++row) {
                   if (table_.faults[row].empty()) add(workers_[thread], row, texts_[row - done]);
@@ -166,7 +162,7 @@ class RowsRun {
 
  private:
   unsigned jobs() const {
-    const std::size_t useful = (table_.rows() + kAtOnce - 1) / kAtOnce;
+    const std::size_t useful = (table_.rows() + kPosesAtOnce - 1) / kPosesAtOnce;
     return static_cast<unsigned>(
         std::min<std::size_t>(options_.jobs.value_or(coreCount()), useful));
   }

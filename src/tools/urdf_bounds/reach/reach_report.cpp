@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "robot/reach/reach.h"
-#include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 #include "tools/formats/safe_text.h"
@@ -149,12 +148,9 @@ ReachTable tableOf(const Robot& robot, const BoundedRobot& bounded,
   for (std::size_t i = 0; i < reaches.size(); ++i) {
     const BoundedLink& link = bounded.links[i];
     if (reaches[i]) table.links.emplace_back(link.name, *reaches[i]);
-    if (!link.isWhole()) {
-      table.incomplete.emplace_back(link.name, link.missing);
-    } else if (!reaches[i]) {
-      table.incomplete.emplace_back(link.name, whyNoReach(robot, bounded, ranges, i));
-      warn("link \"" + link.name + "\": " + table.incomplete.back().second);
-    }
+    if (reaches[i] && link.isWhole()) continue;
+    table.incomplete.emplace_back(link.name, whyNoReach(robot, bounded, ranges, i));
+    if (link.isWhole()) warn("link \"" + link.name + "\": " + table.incomplete.back().second);
   }
   if (const std::optional<Reach> all = unionOf(reaches)) table.groups.emplace_back("robot", *all);
   addIncompleteGroup(table.incomplete);
