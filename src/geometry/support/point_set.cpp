@@ -102,7 +102,8 @@ Eigen::Vector3d farthestPoint(const double* xyz, std::size_t count,
 
 PointSet::PointSet(const std::vector<Eigen::Vector3f>& points,
                    const CheckInterrupt& check_interrupt)
-    : table_(std::make_shared<const DirectionTable>(directionTable(points, check_interrupt))),
+    : table_(std::make_shared<const DirectionTable>(
+          directionTable(points, std::nullopt, check_interrupt))),
       magnitude_(magnitudeOf(points)),
       size_(distinctPoints(*table_, check_interrupt).size()) {}
 

@@ -211,11 +211,8 @@ bool isWithinLimit(const DirectionTable& table, const CandidateGrid& grid) {
   return table.bytes() <= std::max(kBytesPerTable, kBytesPerPoint * grid.named().size());
 }
 
-DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points,
-                          const CheckInterrupt& check_interrupt) {
-  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
-  GridBuilder builder(toDouble(points), effortFor(points.size()), check_interrupt);
-  CandidateGrid grid = coarsestLists(builder);
+DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points, CandidateGrid grid,
+                          GridBuilder& builder) {
   DirectionTable table = packed(points, grid);
   // The search ends at the first table above the limit.
   while (isWithinLimit(table, grid) && grid.meanListSize() > kMeanListSize &&
@@ -228,11 +225,8 @@ DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points,
   return table;
 }
 
-DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
-                          const CheckInterrupt& check_interrupt) {
-  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
-  GridBuilder builder(toDouble(points), effortFor(points.size()), check_interrupt);
-  const CandidateGrid grid = coarsestLists(builder);
+DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, const CandidateGrid& grid,
+                          std::size_t max_bytes) {
   const PointIndices named = grid.named();
   if (named.size() > kGriddedPoints) {
     DirectionTable table = packed(points, grid);
@@ -254,13 +248,14 @@ std::vector<Eigen::Vector3f> reduced(const std::vector<Eigen::Vector3f>& points,
 }  // namespace
 
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points,
+                              std::optional<std::size_t> max_bytes,
                               const CheckInterrupt& check_interrupt) {
-  return wholeTable(reduced(points, kPasses, check_interrupt), check_interrupt);
-}
-
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
-                              const CheckInterrupt& check_interrupt) {
-  return smallTable(reduced(points, kPasses, check_interrupt), max_bytes, check_interrupt);
+  const std::vector<Eigen::Vector3f> left = reduced(points, kPasses, check_interrupt);
+  if (left.size() <= kScannedPoints) return packed(left, listOfAll(left.size()));
+  GridBuilder builder(toDouble(left), effortFor(left.size()), check_interrupt);
+  CandidateGrid grid = coarsestLists(builder);
+  if (max_bytes) return smallTable(left, grid, *max_bytes);
+  return wholeTable(left, std::move(grid), builder);
 }
 
 DirectionGrid::DirectionGrid(int cells_per_side)

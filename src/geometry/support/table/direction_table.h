@@ -27,6 +27,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "link_bounds/geometry/check_interrupt.h"
@@ -107,12 +108,11 @@ constexpr double kTableTolerance = 1e-14;
 ///
 /// Where more than 131,072 points can be extreme, as for a ball with a fine mesh, lists name some
 /// more points than they need: making them minimal would take 10 us per point. A query is as exact.
+///
+/// With `max_bytes` it takes less memory, for a set that is one of many: a grid of 8 if there are
+/// many points and it takes no more than that, else one list of all points that can be extreme.
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points,
-                              const CheckInterrupt& check_interrupt = nullptr);
-
-/// The same in less memory, for a set that is one of many: a grid of 8 if there are many points and
-/// it takes no more than `max_bytes`, else one list of all points that can be extreme.
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
+                              std::optional<std::size_t> max_bytes = std::nullopt,
                               const CheckInterrupt& check_interrupt = nullptr);
 
 constexpr std::size_t kScannedPoints = 16;
