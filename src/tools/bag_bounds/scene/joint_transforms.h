@@ -70,10 +70,10 @@ class JointTransforms {
   Robot robot_;
   std::vector<std::string> frames_;  ///< of the links
   std::map<std::string, const Joint*> joints_;
-  std::map<std::string, bool> is_met_;  ///< by leader: a message had it
+  std::map<std::string, bool> is_met_;     ///< by leader: a message had it
   std::map<const Joint*, Position> last_;  ///< the newest finite one
-  std::uint64_t ambiguous_ = 0;  ///< number of turns of unknown direction
-  std::string first_ambiguous_;  ///< the joint of the first of these turns
+  std::uint64_t ambiguous_ = 0;            ///< number of turns of unknown direction
+  std::string first_ambiguous_;            ///< the joint of the first of these turns
 };
 
 }  // namespace link_bounds
