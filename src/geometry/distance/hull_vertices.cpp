@@ -21,13 +21,12 @@ constexpr int kHullSteps = 30;
 /// Cost of comparing a vertex with one listed vertex, see WorkMeter.
 constexpr std::size_t kLooksPerPair = 4;
 
-/// `at` gives the point of an index.
+/// `at` gives the point of an index below `count`.
 template <class At>
-std::size_t farthestIndex(std::size_t begin, std::size_t end, const Eigen::Vector3d& direction,
-                          const At& at) {
-  std::size_t best = begin;
-  double best_dot = at(begin).dot(direction);
-  for (std::size_t i = begin + 1; i < end; ++i) {
+std::size_t farthestIndex(std::size_t count, const Eigen::Vector3d& direction, const At& at) {
+  std::size_t best = 0;
+  double best_dot = at(0).dot(direction);
+  for (std::size_t i = 1; i < count; ++i) {
     const double dot = at(i).dot(direction);
     if (!(dot > best_dot)) continue;
     best_dot = dot;
@@ -47,7 +46,7 @@ struct PointHull {
 
   const Eigen::Vector3d& farthest(const Eigen::Vector3d& direction) const {
     return points[farthestIndex(
-        0, points.size(), direction,
+        points.size(), direction,
         [&](std::size_t i) -> const Eigen::Vector3d& { return points[i]; })];
   }
 };
@@ -120,9 +119,9 @@ class HullLists {
   }
 
   std::size_t farthest(const Eigen::Vector3d& direction) const {
-    return farthestIndex(
-        0, offsets_.size(), direction,
-        [&](std::size_t i) -> const Eigen::Vector3d& { return vertices_[offsets_[i]]; });
+    return farthestIndex(offsets_.size(), direction, [&](std::size_t i) -> const Eigen::Vector3d& {
+      return vertices_[offsets_[i]];
+    });
   }
 
   void list(std::size_t index) {

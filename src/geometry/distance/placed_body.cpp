@@ -19,10 +19,10 @@
 //   rho = | |W| (|S| A + |s|) |,  A the largest |coordinate|, s the translation of S,
 // since |n| <= 1 to within 4u. A direction table leaves out points that others beat to within
 // kTableTolerance A |m|_1 <= kTableTolerance rho, but for rounding while it was made; as much again
-// covers that. The origins of the bodies are subtracted once, with an error of u of the difference,
-// which then enters the last four steps. Where a capsule stands for three shapes, it may be wrong
-// by 64u (capsules.cpp). kRounding is 128u: the 28u beyond those above cover the terms of second
-// order and the sum of a solid and a point, which are left out there.
+// covers that (kPointTolerance). The origins of the bodies are subtracted once, with an error of u
+// of the difference, which then enters the last four steps. Where a capsule stands for three
+// shapes, it may be wrong by 64u (capsules.cpp). kRounding is 128u: the 28u beyond those above
+// cover the terms of second order and the sum of a solid and a point, which are left out there.
 #include "geometry/distance/placed_body.h"
 
 #include <algorithm>
@@ -36,8 +36,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kRounding = 128 * kUnitRoundoff;  // both are derived above
-constexpr double kPointTolerance = 2 * kTableTolerance;
+constexpr double kRounding = 128 * kUnitRoundoff;  // derived above
 
 /// Max loss of products and squares of tiny numbers by underflow [m].
 constexpr double kUnderflow = 1e-140;

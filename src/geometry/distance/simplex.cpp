@@ -197,17 +197,10 @@ Eigen::Vector3d Simplex::acrossEdges(const Eigen::Vector3d& normal, double lengt
   return result;
 }
 
-Eigen::Vector3d Simplex::first() const {
+Eigen::Vector3d Simplex::combined(Eigen::Vector3d DifferencePoint::*point) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < size_; ++i)
-    sum += weights_[i] * points_[i].first;
-  return sum;
-}
-
-Eigen::Vector3d Simplex::second() const {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < size_; ++i)
-    sum += weights_[i] * points_[i].second;
+    sum += weights_[i] * points_[i].*point;
   return sum;
 }
 

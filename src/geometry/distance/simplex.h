@@ -62,10 +62,11 @@ class Simplex {
   Eigen::Vector3d acrossEdges(const Eigen::Vector3d& normal, double length) const;
 
   /// The points of the two sets whose difference is the point of the last keep().
-  Eigen::Vector3d first() const;
-  Eigen::Vector3d second() const;
+  Eigen::Vector3d first() const { return combined(&DifferencePoint::first); }
+  Eigen::Vector3d second() const { return combined(&DifferencePoint::second); }
 
  private:
+  Eigen::Vector3d combined(Eigen::Vector3d DifferencePoint::*point) const;
   SimplexPoint nearest(unsigned required) const;
 
   std::array<DifferencePoint, 4> points_;

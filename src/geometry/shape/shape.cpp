@@ -16,10 +16,6 @@ namespace {
 constexpr double kLargestLinearEntry = 1e30;
 constexpr unsigned kAllRows = 7;  ///< one bit each
 
-/// Pad for the points that a table leaves out, and as much again for rounding while lists are made
-/// and while the points are evaluated.
-constexpr double kPointTolerance = 2 * kTableTolerance;
-
 /// Eight roundings bound every evaluation below: five of a dot product, one each for adding the
 /// solid, the translation and the pad.
 constexpr double kRoundingPad = 8 * kUnitRoundoff;

@@ -243,7 +243,7 @@ class Watch:
         self._hold.look(self._is_kept and not self._has_lost_publisher,
                         self.life.silent_since(now), now)
 
-    def lose_publisher(self, _topic, now):
+    def lose_publisher(self, now):
         """Nobody publishes any more, so nobody knows whether the last message still holds."""
         if self._last is None:
             return
@@ -331,7 +331,7 @@ class TopicTest(unittest.TestCase):
                 # topic without any message so far may still connect, and has nothing to lose.
                 for topic, subscriber in subscribers:
                     if topic.is_needed and topic.name in seen and connections(subscriber) == 0:
-                        watch.lose_publisher(topic.name, now)
+                        watch.lose_publisher(now)
         self.fail('interrupted\n' + watch.failure(self._now()))
 
 

@@ -228,7 +228,7 @@ class Watch(unittest.TestCase):
 
     def test_nothing_holds_without_a_publisher(self):
         self.watch.see(message_of('palm'), 1.0)
-        self.watch.lose_publisher("~boxes", 1.5)
+        self.watch.lose_publisher(1.5)
         self.check_failure('nobody publishes')
 
     def see_numbers(self, *numbers, is_of_node=True):
@@ -266,9 +266,9 @@ class Watch(unittest.TestCase):
         self.assertTrue(self.watch.is_passed(14.0))
 
     def test_a_message_that_comes_after_the_loss_does_not_hold_for_long(self):
-        self.watch.lose_publisher("~boxes", 0.5)
+        self.watch.lose_publisher(0.5)
         self.watch.see(message_of('palm'), 1.0)
-        self.watch.lose_publisher("~boxes", 1.5)
+        self.watch.lose_publisher(1.5)
         self.assertFalse(self.watch.is_passed(9.0))
 
     def test_says_how_far_off_the_box_is(self):

@@ -96,9 +96,11 @@ struct DirectionTable {
   std::size_t bytes() const;
 };
 
-/// Relative to the largest |coordinate| times |r|_1, see directionTable(). As much again covers
-/// rounding in double while lists are made and extents are evaluated.
+/// Relative to the largest |coordinate| times |r|_1, see directionTable().
 constexpr double kTableTolerance = 1e-14;
+
+/// As much again covers rounding in double while lists are made and extents are evaluated.
+constexpr double kPointTolerance = 2 * kTableTolerance;
 
 /// `points` must be finite and not empty. A point may be left out if others extend as far to within
 /// kTableTolerance, and to rounding; worldBox adds a pad for that. At most
