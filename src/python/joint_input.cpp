@@ -28,16 +28,6 @@ std::string reprOf(const py::handle& object) {
   return py::cast<std::string>(py::repr(object));
 }
 
-std::string jointName(const py::handle& key) {
-  if (py::isinstance<py::str>(key)) {
-    const auto bytes = py::reinterpret_steal<py::bytes>(
-        PyUnicode_AsEncodedString(key.ptr(), "utf-8", "surrogateescape"));
-    if (bytes) return bytes;
-    PyErr_Clear();
-  }
-  throw py::value_error(reprOf(key) + " is not the name of a joint");
-}
-
 double numberOf(const py::handle& value, const std::string& joint) {
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1 && PyErr_Occurred()) {
@@ -60,7 +50,7 @@ bool isSettable(const SharedRobot& shared, const std::string& name) {
 /// Writes a dict into `values`, which has a zero for each joint of SharedRobot::joints().
 void readDict(const SharedRobot& shared, const py::dict& dict, double* values) {
   for (const auto& [key, value] : dict) {
-    const std::string name = jointName(key);
+    const std::string name = keyName(key, "a joint");
     const double number = numberOf(value, name);
     std::size_t column = 0;
     while (column < shared.joints().size() &&
@@ -192,7 +182,7 @@ GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
         "ranges must be a dict {joint: (lower, upper)} or {joint: value}, but is " +
         reprOf(ranges));
   for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(ranges)) {
-    const std::string name = jointName(key);
+    const std::string name = keyName(key, "a joint");
     const Limits range = rangeOf(value, name);
     if (!(std::isfinite(range.lower) && std::isfinite(range.upper) && range.lower <= range.upper))
       throw JointError("the range of joint \"" + name + "\" is " + reprOf(value) +
@@ -200,6 +190,16 @@ GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
     if (isSettable(shared, name)) given.emplace(name, range);
   }
   return given;
+}
+
+std::string keyName(const py::handle& key, const char* kind) {
+  if (py::isinstance<py::str>(key)) {
+    const auto bytes = py::reinterpret_steal<py::bytes>(
+        PyUnicode_AsEncodedString(key.ptr(), "utf-8", "surrogateescape"));
+    if (bytes) return bytes;
+    PyErr_Clear();
+  }
+  throw py::value_error(reprOf(key) + " is not the name of " + kind);
 }
 
 void checkJobs(unsigned jobs) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Joint values, ranges and numbers as users of Python write them. Wrong input raises a ValueError
-// that names it.
+// Joint values, ranges, names and numbers as users of Python write them. Wrong input raises a
+// ValueError that names it.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -37,6 +37,10 @@ std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std
 
 /// Reads a dict {joint: value} or {joint: (lower, upper)}; or None.
 GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& ranges);
+
+/// The text of a key in a dict. Throws ValueError for other keys than text. `kind` tells in
+/// messages what it must be the name of.
+std::string keyName(const pybind11::handle& key, const char* kind);
 
 /// Throws ValueError for more threads than any machine has. 0: one per core.
 void checkJobs(unsigned jobs);

@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "python/joint_input.h"
 #include "python/posed_calls.h"
 #include "python/proof_calls.h"
 #include "python/text.h"
@@ -142,7 +143,7 @@ RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
   request.selection = selectionOf(geometry);
   if (!packages.is_none()) {
     for (const auto& [name, folder] : py::cast<py::dict>(packages))
-      request.packages[py::cast<std::string>(name)] = py::cast<std::string>(encode(folder));
+      request.packages[keyName(name, "a package")] = py::cast<std::string>(encode(folder));
   }
   request.allow_incomplete = allow_incomplete;
   return request;

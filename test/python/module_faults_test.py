@@ -227,6 +227,11 @@ class RobotFaultsTest(UrdfBoundsTest):
         circle = ARM.replace(turn, turn + '<mimic joint="follow"/>')
         self.check('mimics in a circle', link_bounds.Robot, circle, error=link_bounds.RobotError)
 
+    def test_packages(self):
+        for name in (1, None, '\ud800'):
+            self.check(re.escape(repr(name)) + ' is not the name of a package', link_bounds.Robot, ARM,
+                       packages={name: '/tmp'})
+
     def test_names_of_files_and_texts(self):
         for urdf in DEMO + '\0.urdf', ARM + '\0', ' \0':
             self.check('has a null byte', link_bounds.Robot, urdf)
