@@ -75,13 +75,29 @@ JointRows rowsOfDicts(const SharedRobot& shared, const std::vector<py::dict>& di
   return rows;
 }
 
-/// Empty if `q` is no list or tuple of dicts.
-std::vector<py::dict> dictsOf(const py::handle& q) {
+bool isList(const py::handle& object) {
+  return py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object);
+}
+
+bool isNumber(const py::handle& object) {
+  return py::isinstance<py::float_>(object) || py::isinstance<py::int_>(object);
+}
+
+/// Whether `q` has keys(). Those of a Series or DataFrame of pandas do not count: it is an array.
+/// What most poses are is known without a search for attributes.
+bool isMapping(const py::handle& q) {
+  if (py::isinstance<py::dict>(q)) return true;
+  if (py::isinstance<py::array>(q) || isNumber(q) || isList(q)) return false;
+  return py::hasattr(q, "keys") && !py::hasattr(q, "__array__");
+}
+
+/// Empty if `q` is no list or tuple of mappings.
+std::vector<py::dict> dictsOf(const py::handle& q, const std::string& name) {
   std::vector<py::dict> dicts;
-  if (!py::isinstance<py::list>(q) && !py::isinstance<py::tuple>(q)) return dicts;
+  if (!isList(q)) return dicts;
   for (const py::handle& item : q) {
-    if (!py::isinstance<py::dict>(item)) return {};
-    dicts.push_back(py::reinterpret_borrow<py::dict>(item));
+    if (!isMapping(item)) return {};
+    dicts.push_back(dictOf(item, name, kWhatRows));
   }
   return dicts;
 }
@@ -93,8 +109,8 @@ std::string shapeOf(const py::array& array) {
 /// Whether `q` is a masked array, or a list that has one. Looks into lists only `levels` deep: no
 /// value is deeper, and a list may contain itself.
 bool isMasked(const py::handle& q, int levels = 2) {
-  if (py::isinstance<py::float_>(q) || py::isinstance<py::int_>(q)) return false;  // most are
-  if (py::isinstance<py::list>(q) || py::isinstance<py::tuple>(q))
+  if (isNumber(q)) return false;  // most are
+  if (isList(q))
     return levels > 0 && std::any_of(q.begin(), q.end(), [levels](const py::handle& item) {
              return isMasked(item, levels - 1);
            });
@@ -156,9 +172,8 @@ py::array numbersOf(const py::handle& given, const std::string& name, const std:
 
 JointRows jointRows(const SharedRobot& shared, const py::handle& q, const std::string& name) {
   const auto read = [&] {
-    if (py::isinstance<py::dict>(q))
-      return rowsOfDicts(shared, {py::reinterpret_borrow<py::dict>(q)}, true);
-    const std::vector<py::dict> dicts = dictsOf(q);
+    if (isMapping(q)) return rowsOfDicts(shared, {dictOf(q, name, kWhatRows)}, true);
+    const std::vector<py::dict> dicts = dictsOf(q, name);
     return dicts.empty() ? rowsOfArray(shared, q, name) : rowsOfDicts(shared, dicts, false);
   };
   JointRows rows = read();
@@ -177,11 +192,8 @@ std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std
 GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
   GivenRanges given;
   if (ranges.is_none()) return given;
-  if (!py::isinstance<py::dict>(ranges))
-    throw py::value_error(
-        "ranges must be a dict {joint: (lower, upper)} or {joint: value}, but is " +
-        reprOf(ranges));
-  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(ranges)) {
+  const char* const what = " must be a dict {joint: (lower, upper)} or {joint: value}";
+  for (const auto& [key, value] : dictOf(ranges, "ranges", what)) {
     const std::string name = keyName(key, "a joint");
     const Limits range = rangeOf(value, name);
     if (!(std::isfinite(range.lower) && std::isfinite(range.upper) && range.lower <= range.upper))
@@ -190,6 +202,16 @@ GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
     if (isSettable(shared, name)) given.emplace(name, range);
   }
   return given;
+}
+
+py::dict dictOf(const py::handle& given, const std::string& name, const char* what) {
+  if (py::isinstance<py::dict>(given)) return py::reinterpret_borrow<py::dict>(given);
+  py::dict dict;
+  if (PyDict_Update(dict.ptr(), given.ptr()) == 0) return dict;
+  if (!PyErr_ExceptionMatches(PyExc_AttributeError) && !PyErr_ExceptionMatches(PyExc_TypeError))
+    throw py::error_already_set();
+  PyErr_Clear();
+  throw py::value_error(name + what + ", but is " + reprOf(given));
 }
 
 std::string keyName(const py::handle& key, const char* kind) {

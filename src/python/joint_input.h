@@ -38,6 +38,10 @@ std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std
 /// Reads a dict {joint: value} or {joint: (lower, upper)}; or None.
 GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& ranges);
 
+/// A mapping, which is what has keys(), as a dict. Throws ValueError for other objects; `name` and
+/// `what` tell in messages what must be a mapping.
+pybind11::dict dictOf(const pybind11::handle& given, const std::string& name, const char* what);
+
 /// The text of a key in a dict. Throws ValueError for other keys than text. `kind` tells in
 /// messages what it must be the name of.
 std::string keyName(const pybind11::handle& key, const char* kind);

@@ -35,8 +35,9 @@ q, a pose, is one of
   an array [joints]          in the order of .joints
   an array [rows, joints]    many poses; doubles in C order are not copied
   a list of dicts            many poses
-Joints that mimic another one follow it. The limits of the URDF are not enforced. Many poses are
-computed by `jobs` threads (0: one per core) without the GIL; Ctrl-C ends that.
+Any mapping of names counts as a dict. Joints that mimic another one follow it. The limits of the
+URDF are not enforced. Many poses are computed by `jobs` threads (0: one per core) without the GIL;
+Ctrl-C ends that.
 
 Several threads may use one robot.
 
@@ -125,6 +126,11 @@ urdf_bounds --path. Raises ValueError, which names the joint and the row, for ar
 be used, and RobotError for a file that cannot be used. Ctrl-C ends it.
 )";
 
+bool isPath(const py::handle& given) {
+  return py::isinstance<py::str>(given) || py::isinstance<py::bytes>(given) ||
+         py::hasattr(given, "__fspath__");
+}
+
 RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
                        const py::object& packages, bool allow_incomplete) {
   RobotRequest request;
@@ -142,8 +148,14 @@ RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
                           "\", but must be one of: both, collision, visual");
   request.selection = selectionOf(geometry);
   if (!packages.is_none()) {
-    for (const auto& [name, folder] : py::cast<py::dict>(packages))
-      request.packages[keyName(name, "a package")] = py::cast<std::string>(encode(folder));
+    const char* const what = " must be a dict {package: folder}";
+    for (const auto& [key, folder] : dictOf(packages, "packages", what)) {
+      const std::string name = keyName(key, "a package");
+      if (!isPath(folder))
+        throw py::value_error("the folder of package \"" + name + "\" is " +
+                              py::cast<std::string>(py::repr(folder)) + ", but must be a path");
+      request.packages[name] = py::cast<std::string>(encode(folder));
+    }
   }
   request.allow_incomplete = allow_incomplete;
   return request;

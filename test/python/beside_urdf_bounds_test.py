@@ -11,6 +11,7 @@ import os
 import pathlib
 import random
 import subprocess
+import types
 import unittest
 import warnings
 from unittest import mock
@@ -228,9 +229,9 @@ class RobotTest(UrdfBoundsTest):
         expected = robot.boxes([0.5, 0])
         self.assertEqual(expected.shape, (3, 2, 3))
         for q in ({'turn': 0.5}, (0.5, 0.0), np.array([0.5, 0], 'f4'), np.array([[0.5, 0]])[0],
-                  {'turn': np.float64(0.5), 'push': 0}):
+                  {'turn': np.float64(0.5), 'push': 0}, types.MappingProxyType({'turn': 0.5})):
             self.assertEqual(robot.boxes(q).tobytes(), expected.tobytes())
-        for rows in ([{'turn': 0.5}, {}], [[0.5, 0], [0, 0]], np.array([[0.5, 0], [0, 0]]),
+        for rows in ([{'turn': 0.5}, {}], (types.MappingProxyType({'turn': 0.5}), {}), [[0.5, 0], [0, 0]], np.array([[0.5, 0], [0, 0]]),
                      np.asfortranarray([[0.5, 0], [0, 0]])):
             found = robot.boxes(rows)
             self.assertEqual(found.shape, (2, 3, 2, 3))
@@ -246,16 +247,19 @@ class RobotTest(UrdfBoundsTest):
         self.assertIn('push.x', robot.joints)
         with self.assertWarnsRegex(RuntimeWarning, 'link "slide": it depends on "push"'):
             self.assertEqual(list(robot.reach()), ['base'])
-        self.assertEqual(list(robot.reach({'push.x': 1, 'push.y': 0, 'push.z': (0, 1)})),
-                         ['base', 'slide'])
+        ranges = {'push.x': 1, 'push.y': 0, 'push.z': (0, 1)}
+        for given in (ranges, types.MappingProxyType(ranges)):
+            self.assertEqual(list(robot.reach(given)), ['base', 'slide'])
         self.assertEqual(list(robot.reach(fixed_base=True)), ['base', 'slide'])
 
     def test_packages(self):
         mesh = self.write('models/box/t.stl', urdf_bounds_testing.tetrahedron())
         urdf = urdf_bounds_testing.tree(urdf_bounds_testing.mesh('a', 'package://models/box/t.stl'))
         folder = os.path.dirname(os.path.dirname(mesh))
-        robot = link_bounds.Robot(urdf, packages={'models': folder})
-        np.testing.assert_allclose(robot.boxes([])[0], [[0, 0, 0], [1, 2, 3]], atol=1e-12)
+        packages = {'models': folder}
+        for given in (packages, types.MappingProxyType(packages)):
+            robot = link_bounds.Robot(urdf, packages=given)
+            np.testing.assert_allclose(robot.boxes([])[0], [[0, 0, 0], [1, 2, 3]], atol=1e-12)
 
     def test_errors_in_the_words_of_the_command_line(self):
         lost = self.write('lost.urdf', urdf_bounds_testing.tree(

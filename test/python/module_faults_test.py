@@ -12,6 +12,7 @@ import subprocess
 import sys
 import threading
 import tracemalloc
+import types
 import unittest
 import warnings
 
@@ -61,6 +62,29 @@ def resident():
     """Bytes of this process."""
     pages = int(pathlib.Path('/proc/self/statm').read_text().split()[1])
     return pages * os.sysconf('SC_PAGE_SIZE')
+
+
+class Broken:
+    """What has keys, but is no mapping that can be read."""
+
+    def __init__(self, keys):
+        self.keys = keys
+
+    def __getitem__(self, key):
+        raise KeyError('the mapping is broken')
+
+
+class Series:
+    """As one of pandas: an array that has keys(), too."""
+
+    def __init__(self, values):
+        self._values = values
+
+    def keys(self):
+        return range(len(self._values))
+
+    def __array__(self, *_, **__):
+        return np.array(self._values)
 
 
 class RobotFaultsTest(UrdfBoundsTest):
@@ -231,6 +255,28 @@ class RobotFaultsTest(UrdfBoundsTest):
         for name in (1, None, '\ud800'):
             self.check(re.escape(repr(name)) + ' is not the name of a package', link_bounds.Robot, ARM,
                        packages={name: '/tmp'})
+        for packages in (1, 'ab', ['ab'], dict):
+            self.check('packages must be a dict {package: folder}, but is ' +
+                       re.escape(repr(packages)), link_bounds.Robot, ARM, packages=packages)
+        self.check('the folder of package "a" is 1, but must be a path', link_bounds.Robot, ARM,
+                   packages={'a': 1})
+
+    def test_mappings(self):
+        """What has keys() is taken as a dict, unless it is an array, too."""
+        robot = link_bounds.Robot(ARM)
+        proxy = types.MappingProxyType
+        for call in (robot.boxes, lambda q: robot.distances(q, 9)):
+            self.check('"elbow" is no movable joint', call, proxy({'elbow': 1}))
+            self.check('1 is not the name of a joint', call, [{}, proxy({1: 1})])
+            for q in (dict, Broken(1), [dict], [{}, Broken(1)]):
+                self.check('q must be a dict .*, but is ', call, q)
+            self.check('the mapping is broken', call, Broken(lambda: ['turn']), error=KeyError)
+            self.check(r'shape is \(3,\), but the robot has 2 joints', call, Series([1, 2, 3]))
+            np.testing.assert_array_equal(call(Series([1, 0])), call([1, 0]))
+        for ranges in (dict, Broken(1), 'ab'):
+            self.check('ranges must be a dict .*, but is ', robot.reach, ranges)
+        self.check('1 is not the name of a joint', robot.reach, proxy({1: 1}))
+        self.check('range of joint "turn" is', robot.pairs, proxy({'turn': (2, 1)}))
 
     def test_names_of_files_and_texts(self):
         for urdf in DEMO + '\0.urdf', ARM + '\0', ' \0':
