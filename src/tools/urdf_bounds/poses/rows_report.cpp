@@ -227,8 +227,8 @@ class RowsRun {
     const auto add = [&](const std::string& name, const Aabb& box) {
       text += beginOf(row) + csvField(name);
       for (const Eigen::Vector3d& corner : {box.min(), box.max()}) {
-        for (const double coordinate : corner)
-          text += "," + exactNumber(coordinate);
+        for (int axis = 0; axis < 3; ++axis)
+          text += "," + exactNumber(corner[axis]);
       }
       text += "\n";
     };
