@@ -26,6 +26,8 @@ std::string plainRemedy(MeshFault fault) {
       return "allow it setrlimit and prctl, which a container may forbid";
     case MeshFault::kFileSystem:
       return "see that its file system answers";
+    case MeshFault::kFormat:
+      return "store it as STL and name it .stl";
   }
   return "";
 }

@@ -65,7 +65,7 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Request& request,
   } catch (const std::bad_alloc&) {
     return failure("it does not fit into memory", MeshFault::kComputer);
   } catch (const MeshError& error) {
-    const bool is_half_written = error.fault() == MeshFault::kFile && !areUnchanged(files);
+    const bool is_half_written = isOfContent(error.fault()) && !areUnchanged(files);
     if (is_half_written) return failure(kChangedReason, MeshFault::kChanged);
     return failure(error.what(), error.fault());
   } catch (const std::exception& error) {

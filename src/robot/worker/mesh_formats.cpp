@@ -33,7 +33,10 @@ constexpr std::pair<const char*, Format> kExtensions[] = {
 constexpr std::pair<const char*, Format> kBeginnings[] = {
     {"solid", kStl}, {"off", kOff}, {"gltf", kGltf}, {"{", kGltf}};
 
-constexpr char kReadFormats[] = "STL, OBJ, PLY, OFF, Collada and glTF are read; store it as STL";
+[[noreturn]] void refuseFormat(const std::string& fault) {
+  throw MeshError(fault + "; only STL, OBJ, PLY, OFF, Collada and glTF are read",
+                  MeshFault::kFormat);
+}
 
 /// How many bytes are examined: more than assimp examines.
 constexpr std::size_t kBeginning = 1 << 12;
@@ -54,8 +57,7 @@ Format formatByContent(const std::string& beginning) {
         beginning.compare(first, std::string_view(word).size(), word) == 0)
       return format;
   }
-  throw MeshError(std::string("its content does not tell its format; ") + kReadFormats +
-                  ", and name it with its extension");
+  refuseFormat("its content does not tell its format");
 }
 
 /// Throws MeshError if it is none that is read.
@@ -63,10 +65,8 @@ Format formatOf(const Assimp::Importer& importer, Lines& lines, const std::strin
   const std::string extension = inSmallLetters(std::filesystem::path(path).extension().string());
   for (const auto& [known, format] : kExtensions)
     if (extension == known) return format;
-  if (extension == ".zae") throw MeshError("it is an archive; unpack it, and name the mesh in it");
   if (extension != ".xml" && importer.IsExtensionSupported(extension))
-    throw MeshError("it is not known what assimp leaves out of " + extension + " files; " +
-                    kReadFormats);
+    refuseFormat("it is not known what assimp leaves out of " + extension + " files");
   return formatByContent(inSmallLetters(lines.beginning(kBeginning)));
 }
 

@@ -199,7 +199,7 @@ ImportedMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
     refuseChanged();
     return {std::move(mesh), files->files()};
   } catch (const MeshError& error) {
-    if (error.fault() == MeshFault::kFile) refuseChanged();
+    if (isOfContent(error.fault())) refuseChanged();
     throw;
   }
 }

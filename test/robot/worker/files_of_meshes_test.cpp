@@ -125,13 +125,13 @@ MeshFault faultOf(const MeshFile& file, const BytesHandler& during) {
   } catch (const MeshError& error) {
     return error.fault();
   }
-  return kLastMeshFault;  // which the importer does not have
+  return MeshFault::kFileSystem;  // which the importer does not have
 }
 
 TEST_F(FilesOfMeshes, ABufferThatChangesAfterItWasOpenedIsRefused) {
   folder_.write("a.bin", threeCorners(2));
   const MeshFile file{folder_.write("a.gltf", gltf("a.bin")), folder_.path().string()};
-  EXPECT_EQ(faultOf(file, nullptr), kLastMeshFault);
+  EXPECT_EQ(faultOf(file, nullptr), MeshFault::kFileSystem);
   const std::uint64_t alone = gltf("a.bin").size();
   const auto rewriteOnceItIsOpen = [&](std::uint64_t bytes) {
     if (bytes > alone) folder_.write("a.bin", threeCorners(3));
@@ -155,7 +155,7 @@ TEST_F(FilesOfMeshes, ABufferIsReadWhenATickHasPassedSinceItWasWritten) {
                      static_cast<double>(now.tv_nsec - written.tv_nsec);
     EXPECT_GT(age, static_cast<double>(kTick.count())) << "ns";
   };
-  EXPECT_EQ(faultOf(file, checkAge), kLastMeshFault);
+  EXPECT_EQ(faultOf(file, checkAge), MeshFault::kFileSystem);
   EXPECT_GE(checks, 1);
 }
 
@@ -199,7 +199,7 @@ TEST_F(FilesOfMeshes, ABufferThatSomebodyWritesWithoutEndIsRefused) {
   const MeshFile file{folder_.write("a.gltf", gltf("a.bin")), folder_.path().string()};
   const std::string buffer = folder_.write("a.bin", threeCorners(2));
   const std::uint64_t alone = gltf("a.bin").size();
-  MeshFault fault = kLastMeshFault;
+  MeshFault fault = MeshFault::kFileSystem;
   std::chrono::nanoseconds pause{0};
   do {
     Writer writer(buffer);
@@ -210,7 +210,7 @@ TEST_F(FilesOfMeshes, ABufferThatSomebodyWritesWithoutEndIsRefused) {
     pause = writer.longestPause();
   } while (fault != MeshFault::kChanged && pause > kTick);
   EXPECT_EQ(fault, MeshFault::kChanged);
-  EXPECT_EQ(faultOf(file, nullptr), kLastMeshFault);
+  EXPECT_EQ(faultOf(file, nullptr), MeshFault::kFileSystem);
 }
 
 }  // namespace

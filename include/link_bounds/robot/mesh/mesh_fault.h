@@ -22,8 +22,14 @@ enum class MeshFault {
   kReader,      ///< mesh_worker is missing, or belongs to another version of this library
   kForbidden,   ///< the kernel refuses the limits that mesh_worker sets itself
   kFileSystem,  ///< mesh_worker cannot be killed while it waits for the file system
+  kFormat,      ///< the file is of a format that is not read, or nothing tells its format
 };
-constexpr MeshFault kLastMeshFault = MeshFault::kFileSystem;
+constexpr MeshFault kLastMeshFault = MeshFault::kFormat;
+
+/// Whether a file that was only half written could be the cause.
+constexpr bool isOfContent(MeshFault fault) {
+  return fault == MeshFault::kFile || fault == MeshFault::kFormat;
+}
 
 /// what() is the reason, in words for the user, without the name of the file.
 class MeshError : public std::runtime_error {
