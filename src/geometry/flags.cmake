@@ -9,6 +9,11 @@ target_compile_options(${PROJECT_NAME}_flags INTERFACE
 # Headers inside the package are included by their path below src.
 get_filename_component(src ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 target_include_directories(${PROJECT_NAME}_flags INTERFACE ${src})
+# Eigen 3.3, of Debian 11 and Ubuntu 20.04, has no begin() and end(), which later ones have.
+if(LINK_BOUNDS_WERROR)
+  target_compile_definitions(${PROJECT_NAME}_flags INTERFACE
+    EIGEN_MATRIXBASE_PLUGIN="geometry/as_eigen33.h" EIGEN_ARRAYBASE_PLUGIN="geometry/as_eigen33.h")
+endif()
 # Eigen contracts on its own where the compiler says that it can: for ARM, and for x86 from
 # -march=haswell on.
 target_compile_options(${PROJECT_NAME}_flags INTERFACE -U__ARM_FEATURE_FMA -U__FMA__)

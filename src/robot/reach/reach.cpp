@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/threads/row_threads.h"
+#include "robot/urdf/joints_above.h"
 #include "robot/urdf/simple_joints.h"
 
 namespace link_bounds {
@@ -28,6 +30,22 @@ constexpr double kRadiusRounding = 1 + 1e-9;
 
 /// How many values of a variable that several joints share are tried as starts of a search.
 constexpr int kSharedStarts = 9;
+
+/// By link: upper bound of the distance of its frame from the root's origin [m]; infinite if the
+/// range of a joint above it is not known. One pass, because robots may have thousands of joints.
+std::vector<double> frameDistances(const Robot& robot, const std::vector<JointRange>& ranges) {
+  std::vector<double> distances(robot.links.size(), 0.0);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    const JointRange& range = ranges[i];
+    double& distance = distances[joint.child];
+    distance = distances[joint.parent] + joint.parent_from_joint.translation().norm();
+    if (joint.motion == Motion::kTranslation)
+      distance += std::max(std::abs(range.lower), std::abs(range.upper));
+    if (!range.is_known) distance = std::numeric_limits<double>::infinity();
+  }
+  return distances;
+}
 
 /// The values nearest to 0 of the joints that follow no other one; those that are 0 are left out.
 std::map<std::string, double> nearestToZero(const Robot& robot,
@@ -86,8 +104,7 @@ void ReachSearch::boundRoughly() {
   const std::vector<Eigen::Isometry3d> poses = linkPoses(robot_, jointValues(robot_, rest_));
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const std::optional<Aabb> box = linkBox(links_[i], Eigen::Affine3d(poses[indices_[i]]));
-    const bool is_known = jointPath(robot_, ranges_, robot_.root, indices_[i]).unknown.empty();
-    if (!box || !is_known || !std::isfinite(radii_[i])) continue;
+    if (!box || !std::isfinite(radii_[i])) continue;
     Reach& reach = reaches_[i].emplace();
     for (std::size_t face = 0; face < kFaces; ++face)
       reach.faces[face] = {face < 3 ? -radii_[i] : radii_[i], faceOf(*box, face), rest_};
@@ -193,11 +210,11 @@ double Reach::maxGap() const {
 
 std::vector<double> linkRadii(const Robot& robot, const BoundedRobot& bounded,
                               const std::vector<JointRange>& ranges) {
+  const std::vector<double> distances = frameDistances(robot, ranges);
   std::vector<double> radii;
   for (std::size_t i = 0; i < bounded.links.size(); ++i) {
-    const double distance = jointPath(robot, ranges, robot.root, bounded.indices[i]).length;
     const double size = std::sqrt(3) * magnitude(bounded.links[i]);
-    radii.push_back(kRadiusRounding * (distance + size));
+    radii.push_back(kRadiusRounding * (distances[bounded.indices[i]] + size));
   }
   return radii;
 }
@@ -211,7 +228,9 @@ std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot
 std::string whyNoReach(const Robot& robot, const BoundedRobot& bounded,
                        const std::vector<JointRange>& ranges, std::size_t link) {
   if (!bounded.links[link].isWhole()) return bounded.links[link].missing;
-  const auto unknown = jointPath(robot, ranges, robot.root, bounded.indices[link]).unknown;
+  std::vector<std::size_t> unknown;
+  for (const std::size_t joint : jointsAbove(robot, bounded.indices[link]))
+    if (!ranges[joint].is_known) unknown.push_back(joint);
   return unknown.empty() ? "its size and pose give no finite box" : missingRanges(robot, unknown);
 }
 

@@ -41,7 +41,7 @@ struct ReachGoal {
 };
 
 /// By link of `bounded`: upper bound of the distance of its points from the root's origin in any
-/// pose [m].
+/// pose [m]; infinite behind a joint whose range is not known.
 std::vector<double> linkRadii(const Robot& robot, const BoundedRobot& bounded,
                               const std::vector<JointRange>& ranges);
 

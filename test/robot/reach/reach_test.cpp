@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <limits>
 
 #include "testing/reach_testing.h"
@@ -201,6 +202,28 @@ TEST(Reach, ATinyComponentOfAnAxisLosesNothing) {
     for (std::size_t face = 0; face < kFaces; ++face)
       EXPECT_GE(beyond(face, reach.faces[face].at, reach.faces[face].attained), 0) << face;
   }
+}
+
+/// What is done before the first look at `stop` takes time in proportion to the joints: with a path
+/// of its own for each link, this chain takes minutes.
+TEST(Reach, ALongChainIsStoppedAtOnce) {
+  constexpr std::size_t kJoints = 20000;
+  const auto linkText = [](std::size_t i) {
+    return "<link name='l" + std::to_string(i) +
+           "'><visual><geometry><sphere radius='0.1'/></geometry></visual></link>";
+  };
+  std::string text = "<robot name='chain'>";
+  for (std::size_t i = 0; i < kJoints; ++i)
+    text += linkText(i) + jointText(i, "1 0 0", "0 0 1", {"revolute", -0.5, 0.25});
+  const Robot robot = parseRobot(text + linkText(kJoints) + "</robot>");
+  const BoundedRobot bounded = boundedBy(robot);
+  const auto begin = std::chrono::steady_clock::now();
+  ReachGoal goal{kAccuracy};
+  goal.stop = [] { return true; };
+  const auto reaches = reachOf(robot, bounded, jointRanges(robot), goal);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  EXPECT_TRUE(reaches.back()) << "it has the rough bound";
+  EXPECT_LT(passed.count(), 30);
 }
 
 TEST(Reach, ALinkWithoutAFiniteBoxHasNone) {

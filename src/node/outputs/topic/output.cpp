@@ -204,7 +204,7 @@ void OutputTopic::send(ros::SerializedMessage message) {
 }
 
 void OutputTopic::sendTo(Subscriber& subscriber, const ros::SerializedMessage& message) {
-  subscriber.send(message, 0);  // older than all others
+  subscriber.send(message, 0);
   wakeSocketThread();
 }
 

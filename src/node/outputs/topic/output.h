@@ -72,7 +72,9 @@ class OutputTopic {
   const std::size_t queue_;  ///< messages
   const OnSubscriber on_subscriber_;
   const std::unique_ptr<Waker> waker_;
-  std::uint64_t number_ = 1;  ///< of the next message; used by the publishing thread alone
+  /// Of the next message; used by the publishing thread alone. From 1 on, so that a message of
+  /// sendTo(), which has 0, is older than all. The header's seq is one less.
+  std::uint64_t number_ = 1;
   std::atomic<std::size_t> count_{0};
   std::atomic<bool> has_lost_{false};
   std::mutex mutex_;  ///< of the next three; held for moments only

@@ -69,7 +69,7 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
 }
 
 /// Adds transforms on the way of a turn by half a turn or more, so that tf2 follows its direction.
-/// A position that is not finite is not on the way, nor is one that is late: tf has a newer one.
+/// Leaves out positions that are not finite, and those that are older than the last one.
 void JointTransforms::addTurn(const Joint& joint, const Position& next,
                               std::vector<TransformView>& result) {
   if (!std::isfinite(next.value)) return;
