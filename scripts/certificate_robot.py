@@ -269,6 +269,8 @@ class Robot:
     def range(self, name):
         """Of a joint that follows none. One turn has all angles, unless others differ after it."""
         kind, limit = self.joints[name].get('type'), self.joints[name].find('limit')
+        if kind == 'fixed':
+            return [0.0, 0.0]
         lower, upper = -math.inf, math.inf
         if kind != 'continuous' and limit is not None:
             lower, upper = (float(limit.get(end, 0)) for end in ('lower', 'upper'))

@@ -119,6 +119,20 @@ class ReachTest(UrdfBoundsTest):
                 code, text = check(file, urdf, '--seed', str(seed))
                 self.assertEqual((code, 'before joint 1' in text), (REFUSED, True), text)
 
+    def test_a_joint_that_follows_a_fixed_one(self):
+        """It stands at its offset, in proofs of reach and of pairs."""
+        urdf = self.write('rest.urdf', '<robot name="rest">%s</robot>' % ''.join([
+            link('base'), link('hand', box('1 0.1 0.1', '2 0 0')), link('arm', box('1 1 1')),
+            link('plate'), joint('bolt', 'fixed', 'base', 'plate'),
+            joint('swing', 'revolute', 'plate', 'hand'),
+            joint('turn', 'revolute', 'base', 'arm').replace(
+                '</joint>', '<mimic joint="bolt" multiplier="2" offset="0.3"/></joint>')]))
+        file, _ = self.certificate(urdf)
+        self.assertEqual(check(file, urdf, '--all')[0], 0)
+        run(urdf, '--pairs', '--certificate', file)
+        code, text = check(file, urdf)
+        self.assertEqual((code, '1 NEVER; ' in text), (0, True), text)
+
     def test_a_loop_of_joints(self):
         """Beside the tree; urdf_bounds refuses it."""
         file, _ = self.certificate(self.urdf)
