@@ -537,6 +537,21 @@ TEST(JointSpeed, AMimicJointHasTheReportsOfItsLeader) {
   expectFingers(robot.stopping(&states));
 }
 
+/// Zeros count because the report before the window shows that the leader rested.
+TEST(JointSpeed, AMimicJointRestsWithItsLeader) {
+  MovingRobot robot(kGripper, gripperParameters());
+  robot.move(robot.values({{"finger", 1.0}}), {0, 0});
+  JointStates states;
+  for (const double age : {0.2, 0.0}) {
+    const ros::Time stamp(MovingRobot::kStamp - age);
+    states.add("finger", {static_cast<std::int64_t>(stamp.toNSec()), 1.0, 0.0});
+  }
+  const WayBoxes found = robot.stopping(&states);
+  ASSERT_EQ(found.problem, "");
+  EXPECT_NEAR(found.moment->bodies[2].box.min().y(), -1.7 - 0.05, 1e-6);
+  EXPECT_NEAR(found.moment->bodies[2].box.max().y(), -1.7 + 0.05, 1e-6);
+}
+
 /// While a clock is paused, the same stamps come again; a bag that is played again begins anew.
 TEST(JointSpeed, PausedAndRestartedClocks) {
   MovingRobot robot(kGripper, gripperParameters());
